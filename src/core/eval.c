@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Values of materials: every public call, scalar or batch, comes down to the kernels. */
+#include "core/eval.h"
+
+#include <float.h>
+#include <string.h>
+
+typedef enum { BRDF, BRDF_COS, SCANLINE } quantity;
+
+static const float LECTURE_PI = 3.14159265358979323846f;
+
+/* The distinct masking function of an ndf and a masking. */
+static int visibility_of_facet(nd_facet f) {
+    bool beckmann = f.ndf != ND_NDF_IS_ggx;
+    if (beckmann && f.masking == ND_MASKING_IS_smith) return ND_VISIBILITY_beckmann_smith;
+    if (beckmann && f.masking == ND_MASKING_IS_smith_correlated)
+        return ND_VISIBILITY_beckmann_smith_correlated;
+    return f.masking;
+}
+
+static void composed_values(const nd_kernel_table *k, const nd_lobe *l, bool cosine,
+                            const nd_batch *q) {
+    float over[ND_TILE], under[ND_TILE];
+    nd_batch steps = *q;
+    steps.out[0] = over;
+    steps.out[1] = under;
+    int v = visibility_of_facet(l->facet);
+    k->ndf[l->facet.ndf](l->fields, &steps);
+    (cosine ? k->masking_cos : k->masking)[v](l->fields, &steps);
+    k->fresnel[l->facet.fresnel](l->fields, q, over, under);
+}
+
+void nd_lobe_values(const nd_kernel_table *k, const nd_lobe *l, bool cosine, const nd_batch *q) {
+    if (l->model->ndf != ND_NO_FACET) composed_values(k, l, cosine, q);
+    else (cosine ? k->brdf_cos : k->brdf)[l->kernel](l->fields, q);
+}
+
+static bool is_plain(const nd_lobe *l, quantity what) {
+    return l->weight[0] == 1.0f && l->weight[1] == 1.0f && l->weight[2] == 1.0f &&
+           (what != SCANLINE || !(l->traits & ND_TRAIT_LECTURE_PI));
+}
+
+/* At most ND_TILE pairs of a weighted sum, through scratch: the outputs may be the inputs. */
+static void weighted_tile(const nd_kernel_table *k, const ndl_material *m, quantity what,
+                          const nd_batch *q) {
+    float lobe[3][ND_TILE], sum[3][ND_TILE];
+    nd_batch one = *q;
+    for (int c = 0; c < 3; c++) one.out[c] = lobe[c];
+    memset(sum, 0, sizeof sum);
+    for (size_t at = 0; at < m->count; at++) {
+        const nd_lobe *l = &m->lobes[at];
+        nd_lobe_values(k, l, what != BRDF, &one);
+        bool times_pi = what == SCANLINE && (l->traits & ND_TRAIT_LECTURE_PI);
+        for (int c = 0; c < 3; c++) {
+            float w = times_pi ? l->weight[c] * LECTURE_PI : l->weight[c];
+            for (size_t i = 0; i < q->n; i++) sum[c][i] += w * lobe[c][i];
+        }
+    }
+    for (int c = 0; c < 3; c++)
+        for (size_t i = 0; i < q->n; i++)
+            q->out[c][i] = sum[c][i] < FLT_MAX ? sum[c][i] : FLT_MAX;
+}
+
+static nd_batch batch_of(size_t n, ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb) {
+    nd_batch q = {n, {wi.x, wi.y, wi.z}, {wo.x, wo.y, wo.z}, {rgb.r, rgb.g, rgb.b}};
+    return q;
+}
+
+/* Pairs [at, at + ND_TILE) of a batch, as far as there are any. */
+static nd_batch tile_of(const nd_batch *all, size_t at) {
+    nd_batch t = *all;
+    t.n = all->n - at < ND_TILE ? all->n - at : ND_TILE;
+    for (int c = 0; c < 3; c++) {
+        t.wi[c] += at;
+        t.wo[c] += at;
+        t.out[c] += at;
+    }
+    return t;
+}
+
+static void values(const ndl_material *m, quantity what, nd_batch all) {
+    const nd_kernel_table *k = nd_kernels();
+    bool plain = m->count == 1 && is_plain(&m->lobes[0], what);
+    for (size_t at = 0; at < all.n; at += ND_TILE) {
+        nd_batch tile = tile_of(&all, at);
+        if (plain) nd_lobe_values(k, &m->lobes[0], what != BRDF, &tile);
+        else weighted_tile(k, m, what, &tile);
+    }
+}
+
+void ndl_brdf_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb) {
+    values(m, BRDF, batch_of(n, wi, wo, rgb));
+}
+
+void ndl_brdf_cos_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb) {
+    values(m, BRDF_COS, batch_of(n, wi, wo, rgb));
+}
+
+void ndl_scanline_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb) {
+    values(m, SCANLINE, batch_of(n, wi, wo, rgb));
+}
+
+static ndl_rgb value(const ndl_material *m, quantity what, ndl_vec3 wi, ndl_vec3 wo) {
+    ndl_rgb f;
+    values(m, what,
+           (nd_batch){1, {&wi.x, &wi.y, &wi.z}, {&wo.x, &wo.y, &wo.z}, {&f.r, &f.g, &f.b}});
+    return f;
+}
+
+ndl_rgb ndl_brdf(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo) {
+    return value(m, BRDF, wi, wo);
+}
+
+ndl_rgb ndl_brdf_cos(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo) {
+    return value(m, BRDF_COS, wi, wo);
+}
+
+ndl_rgb ndl_scanline(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo) {
+    return value(m, SCANLINE, wi, wo);
+}
+
+/* ---- terms ----------------------------------------------------------------------------------- */
+
+static nd_kernel *term_kernel(const ndl_material *m, ndl_term_kind term) {
+    const nd_kernel_table *k = nd_kernels();
+    if (m->count != 1) return NULL;
+    const nd_lobe *l = &m->lobes[0];
+    if (l->model->ndf == ND_NO_FACET)
+        return l->kernel == ND_KERNEL_metal_rough ? k->metal_rough_term[term] : NULL;
+    switch (term) {
+    case NDL_TERM_D: return k->term_d[l->facet.ndf];
+    case NDL_TERM_G: return k->term_g[visibility_of_facet(l->facet)];
+    case NDL_TERM_V: return k->term_v[visibility_of_facet(l->facet)];
+    case NDL_TERM_F: return k->term_f[l->facet.fresnel];
+    }
+    return NULL;
+}
+
+int ndl_has_term(const ndl_material *m, ndl_term_kind term) {
+    return term_kernel(m, term) != NULL;
+}
+
+void ndl_term_n(const ndl_material *m, ndl_term_kind term, size_t n, ndl_vec3_n wi, ndl_vec3_n wo,
+                ndl_rgb_n rgb) {
+    nd_kernel *kernel = term_kernel(m, term);
+    nd_batch all = batch_of(n, wi, wo, rgb);
+    if (kernel) {
+        kernel(m->lobes[0].fields, &all);
+        return;
+    }
+    for (int c = 0; c < 3; c++) memset(all.out[c], 0, n * sizeof(float));
+}
+
+ndl_rgb ndl_term(const ndl_material *m, ndl_term_kind term, ndl_vec3 wi, ndl_vec3 wo) {
+    ndl_rgb f;
+    ndl_term_n(m, term, 1, (ndl_vec3_n){&wi.x, &wi.y, &wi.z}, (ndl_vec3_n){&wo.x, &wo.y, &wo.z},
+               (ndl_rgb_n){&f.r, &f.g, &f.b});
+    return f;
+}
