@@ -4,9 +4,11 @@
 #include "core/kernels.h"
 #include "core/material.h"
 
-enum { ND_TILE = 256 }; /* directions evaluated at a time: scratch of a tile stays in L1 */
-
 /* brdf, or brdf_cos, of one lobe without its weight, for at most ND_TILE pairs. */
 void nd_lobe_values(const nd_kernel_table *k, const nd_lobe *l, bool cosine, const nd_batch *q);
+
+/* How wide a lobe's highlight is, as slopes of the half vector along t and b; 1 where it has none.
+   For quadrature and sampling strategies, not a formula. */
+void nd_lobe_widths(const nd_lobe *l, double width[2]);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The kernels: loops over batches of directions, the only place where shading text is compiled.
-   kernels.c is built once per instruction set; every build fills one table. All tables give the
-   same bits: the text uses correctly rounded operations only. */
+/* The kernels: loops over batches of directions, the only place where the models' shading text is
+   compiled. kernels.c is built once per instruction set; every build fills one table. All tables
+   give the same bits: the text uses correctly rounded operations only. */
 #ifndef ND_CORE_KERNELS_H
 #define ND_CORE_KERNELS_H
 #include "core/models.h"
@@ -12,27 +12,45 @@ typedef struct {
     float *out[3]; /* r g b; may be an input array itself, not one shifted against it */
 } nd_batch;
 
-/* fields: the struct <model>_p of the lobe. */
-typedef void nd_kernel(const void *fields, const nd_batch *q);
+enum { ND_TILE = 256, ND_MOST_GROUP = 16 }; /* a tile's scratch stays in the first cache */
+
+/* Parameters of a loop. Uniform kernels read `fields`, the struct <model>_p of the lobe. Kernels
+   with parameters per lane read every number from its stream, streams[offset of the field in the
+   struct / sizeof(float)], and tables from `fields`. */
+typedef struct {
+    const void *fields;
+    const float *const *streams;
+} nd_inputs;
+
+typedef void nd_kernel(nd_inputs in, const nd_batch *q);
+/* The last step of a composed model: the quotient D V in, the value out. */
+typedef void nd_fresnel_step(nd_inputs in, const nd_batch *q, const float *n, const float *d);
+
+/* One set of loops: with uniform parameters, or with parameters per lane. */
+typedef struct {
+    nd_kernel *brdf[ND_KERNELS], *brdf_cos[ND_KERNELS];
+    /* Combinations of a composed model that are one loop each. */
+    nd_kernel *fused[ND_FUSED], *fused_cos[ND_FUSED];
+    /* Any combination, in three steps: the distribution writes D as the quotient out[0]/out[1],
+       the masking multiplies V (or V NoL) into it, the Fresnel step divides, once. */
+    nd_kernel *ndf[ND_NDFS], *masking[ND_VISIBILITIES], *masking_cos[ND_VISIBILITIES];
+    nd_fresnel_step *fresnel[ND_FRESNELS];
+} nd_loops;
 
 typedef struct {
-    const char *isa;
-    nd_kernel *brdf[ND_KERNELS], *brdf_cos[ND_KERNELS];
-    /* A composed model in three steps: the distribution writes D as the quotient out[0]/out[1],
-       the masking multiplies V (or V NoL) into it, the Fresnel step divides, once, and writes the
-       value. The Fresnel step reads the quotient from `term` and writes to q->out. */
-    nd_kernel *ndf[ND_NDFS];
-    nd_kernel *masking[ND_VISIBILITIES], *masking_cos[ND_VISIBILITIES];
-    void (*fresnel[ND_FRESNELS])(const void *fields, const nd_batch *q, const float *n,
-                                 const float *d);
-    /* The terms by themselves, the same number in all channels for D, V and G. */
-    nd_kernel *term_d[ND_NDFS], *term_f[ND_FRESNELS];
-    nd_kernel *term_v[ND_VISIBILITIES], *term_g[ND_VISIBILITIES];
-    /* The factors of metal_rough's highlight, by ndl_term_kind. */
-    nd_kernel *metal_rough_term[4];
+    nd_loops uniform, lanes;
+    size_t group; /* loops run n - n % group lanes */
 } nd_kernel_table;
 
-/* The table in use, and the choice of another one (dispatch.c). */
+/* The terms by themselves, the same number in all channels for D, V and G (terms.c). Compiled for
+   the plainest instruction set only: they are looked at, not rendered with. */
+typedef struct {
+    nd_kernel *d[ND_NDFS], *v[ND_VISIBILITIES], *g[ND_VISIBILITIES], *f[ND_FRESNELS];
+    nd_kernel *metal_rough[4]; /* by ndl_term_kind */
+} nd_term_table;
+extern const nd_term_table nd_terms;
+
+/* The table in use (dispatch.c). */
 const nd_kernel_table *nd_kernels(void);
 
 #endif

@@ -48,6 +48,13 @@ enum { FRESNEL_LIST(T) ND_FRESNELS };
 #define ND_WITH_GGX(masking) T(ggx, masking)
 #define VISIBILITY_LIST                                                                            \
     MASKING_LIST(ND_WITH_GGX) T(beckmann, smith) T(beckmann, smith_correlated)
+#define FUSED(ndf, masking, fresnel) ND_FUSED_##ndf##_##masking##_##fresnel,
+enum {
+#include "core/fused.def"
+    ND_FUSED
+};
+#undef FUSED
+
 #define T(ndf, masking) ND_VISIBILITY_##ndf##_##masking,
 enum { VISIBILITY_LIST ND_VISIBILITIES };
 #undef T
