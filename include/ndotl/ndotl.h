@@ -121,6 +121,26 @@ NDL_API void ndl_brdf_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3
 NDL_API void ndl_brdf_cos_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo,
                             ndl_rgb_n rgb);
 
+/* One parameter per lane: `key` as ndl_material_with() takes it ("roughness", "color.r",
+   "1.alpha_x"), values: one for each of the n pairs. */
+typedef struct { const char *key; const float *values; } ndl_lanes;
+
+/* ndl_brdf_n and ndl_brdf_cos_n with parameters that differ from pair to pair, as from textures.
+   Pair i has the value of ndl_material_with(m, key, values[i]) for all lanes, but which formulas
+   are used (variant, ndf, masking, fresnel, roughness_map ...) is m's: `ior` needs a dielectric m,
+   `k` a conductor, `f0` one of the others.
+   Domain:   values outside the key's range act as the nearest end of it, NaN as its low end.
+   Errors:   a key that ndl_lanes_check() refuses makes every value 0. */
+NDL_API void ndl_brdf_lanes_n(const ndl_material *m, size_t lanes, const ndl_lanes *lane, size_t n,
+                              ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb);
+NDL_API void ndl_brdf_cos_lanes_n(const ndl_material *m, size_t lanes, const ndl_lanes *lane,
+                                  size_t n, ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb);
+
+/* Whether the lanes can be used with m: NDL_OK, or NDL_E_UNKNOWN_NAME (no such number in m),
+   NDL_E_CONFLICT (two lanes give the same quantity, or m's formulas do not use it) with *err. */
+NDL_API int ndl_lanes_check(const ndl_material *m, size_t lanes, const ndl_lanes *lane,
+                            ndl_error *err);
+
 /* The lecture's scan-line quantity [Gribaudo24]: cosine inside, no 1/pi on the diffuse part.
    pi * brdf_cos for lambert and oren_nayar lobes, brdf_cos for all others. Never clamped. */
 NDL_API ndl_rgb ndl_scanline(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo);

@@ -2,6 +2,8 @@
 /* Values of materials: every public call, scalar or batch, comes down to the kernels. */
 #include "core/eval.h"
 
+#include "core/lanes.h"
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -155,6 +157,83 @@ ndl_rgb ndl_brdf_cos(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo) {
 
 ndl_rgb ndl_scanline(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo) {
     return value(m, SCANLINE, wi, wo);
+}
+
+/* ---- parameters per lane --------------------------------------------------------------------- */
+
+/* A tile of pairs, filled up to whole groups. */
+typedef struct { float wi[3][ND_TILE], wo[3][ND_TILE]; } direction_tile;
+
+static nd_batch whole_groups(const nd_batch *q, direction_tile *d) {
+    nd_batch full = *q;
+    if (q->n % ND_MOST_GROUP == 0) return full;
+    for (int c = 0; c < 3; c++) {
+        for (size_t i = 0; i < ND_TILE && (i < q->n || i % ND_MOST_GROUP); i++) {
+            size_t from = i < q->n ? i : q->n - 1;
+            d->wi[c][i] = q->wi[c][from];
+            d->wo[c][i] = q->wo[c][from];
+        }
+        full.wi[c] = d->wi[c];
+        full.wo[c] = d->wo[c];
+    }
+    full.n = (q->n + ND_MOST_GROUP - 1) / ND_MOST_GROUP * ND_MOST_GROUP;
+    return full;
+}
+
+static void lanes_tile(const ndl_material *m, bool cosine, size_t lanes, const ndl_lanes *lane,
+                       size_t from, nd_batch *q, nd_lane_tile *t) {
+    float value[3][ND_TILE], sum[3][ND_TILE];
+    direction_tile d;
+    nd_batch full = whole_groups(q, &d);
+    if (m->count == 1 && is_plain(&m->lobes[0], BRDF) && full.n == q->n) {
+        nd_lanes_fill(m, 0, lanes, lane, from, q->n, t);
+        groups(&nd_kernels()->lanes, &m->lobes[0], (nd_inputs){m->lobes[0].fields, t->stream},
+               cosine, q);
+        return;
+    }
+    for (int c = 0; c < 3; c++) full.out[c] = value[c];
+    memset(sum, 0, sizeof sum);
+    for (size_t at = 0; at < m->count; at++) {
+        const nd_lobe *l = &m->lobes[at];
+        if (m->count > 1) nd_lanes_uniform(l, t);
+        nd_lanes_fill(m, at, lanes, lane, from, q->n, t);
+        groups(&nd_kernels()->lanes, l, (nd_inputs){l->fields, t->stream}, cosine, &full);
+        for (int c = 0; c < 3; c++)
+            for (size_t i = 0; i < q->n; i++) sum[c][i] += l->weight[c] * value[c][i];
+    }
+    for (int c = 0; c < 3; c++)
+        for (size_t i = 0; i < q->n; i++)
+            q->out[c][i] = sum[c][i] < FLT_MAX ? sum[c][i] : FLT_MAX;
+}
+
+static void lanes_values(const ndl_material *m, bool cosine, size_t lanes, const ndl_lanes *lane,
+                         nd_batch all) {
+    nd_lane_tile t;
+    if (!nd_lanes_valid(m, lanes, lane, NULL)) {
+        for (int c = 0; c < 3; c++) memset(all.out[c], 0, all.n * sizeof(float));
+        return;
+    }
+    nd_lanes_uniform(&m->lobes[0], &t);
+    for (size_t at = 0; at < all.n; at += ND_TILE) {
+        nd_batch tile = tile_of(&all, at);
+        lanes_tile(m, cosine, lanes, lane, at, &tile, &t);
+    }
+}
+
+void ndl_brdf_lanes_n(const ndl_material *m, size_t lanes, const ndl_lanes *lane, size_t n,
+                      ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb) {
+    lanes_values(m, false, lanes, lane, batch_of(n, wi, wo, rgb));
+}
+
+void ndl_brdf_cos_lanes_n(const ndl_material *m, size_t lanes, const ndl_lanes *lane, size_t n,
+                          ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb) {
+    lanes_values(m, true, lanes, lane, batch_of(n, wi, wo, rgb));
+}
+
+int ndl_lanes_check(const ndl_material *m, size_t lanes, const ndl_lanes *lane, ndl_error *error) {
+    ndl_error why = {0};
+    if (!nd_lanes_valid(m, lanes, lane, &why) && error) *error = why;
+    return why.code;
 }
 
 /* A power of a cosine is as wide as Beckmann's lobe with alpha^2 = 2/(p + 2); Phong's angle to the

@@ -32,13 +32,17 @@ static int combination(const nd_binding *b) {
     return at;
 }
 
-/* Laws that a composition claims, from formulas.md 2.2: without masking the albedo has no bound,
-   and Beckmann's Lambda hides less than Blinn's microsurface does. */
-static unsigned facet_claims(nd_facet f) {
-    bool smith = f.masking == ND_MASKING_IS_smith || f.masking == ND_MASKING_IS_smith_correlated ||
-                 f.masking == ND_MASKING_IS_smith_walter;
+/* Laws that a composition claims. Without masking the albedo has no bound. The Lambda of a narrower
+   tail than the ndf's hides too little: Beckmann's with blinn, Walter's fit of it with ggx; and
+   Neumann's min(NoL, NoV) hides too little of surfaces wider than any real one. */
+static unsigned facet_claims(nd_facet f, const microfacet_p *p) {
+    const unsigned gains = NDL_CLAIM_RECIPROCITY | NDL_CLAIM_CONTINUITY;
+    bool smith = f.masking == ND_MASKING_IS_smith || f.masking == ND_MASKING_IS_smith_correlated;
+    bool walter = f.masking == ND_MASKING_IS_smith_walter;
     if (f.masking == ND_MASKING_IS_none) return NDL_CLAIM_RECIPROCITY;
-    if (f.ndf == ND_NDF_IS_blinn && smith) return NDL_CLAIM_RECIPROCITY | NDL_CLAIM_CONTINUITY;
+    if (f.ndf == ND_NDF_IS_blinn && (smith || walter)) return gains;
+    if (f.ndf == ND_NDF_IS_ggx && walter) return gains;
+    if (f.masking == ND_MASKING_IS_neumann && (p->alpha_x > 1.0f || p->alpha_y > 1.0f)) return gains;
     return ND_CLAIM_ALL;
 }
 
@@ -56,7 +60,7 @@ static bool bind_lobe(nd_lobe *l, nd_arena *a, ndl_error *error) {
         l->facet.ndf = l->model->ndf == ND_ANY_NDF ? nd_choice(&b, "ndf") : l->model->ndf;
         l->facet.masking = nd_choice(&b, "masking");
         l->facet.fresnel = nd_choice(&b, "fresnel");
-        l->traits = facet_claims(l->facet);
+        l->traits = facet_claims(l->facet, l->fields);
     }
     return true;
 }

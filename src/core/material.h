@@ -31,4 +31,7 @@ ndl_material *nd_material_new(size_t lobes, ndl_error *error);
 /* Gives every lobe's call its meaning and prints the whole; m, or NULL with m freed. */
 ndl_material *nd_material_finish(ndl_material *m, ndl_error *error);
 
+/* "1.color.g" -> lobe 1, key "color" (room bytes), channel 1; channel -1: all of them. */
+bool nd_parameter_path(const char *path, size_t *lobe, char *key, size_t room, int *channel);
+
 #endif

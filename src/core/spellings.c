@@ -41,6 +41,24 @@ static widths stretched(int kind, float alpha, float anisotropy) {
     }
 }
 
+void nd_width_lanes(size_t n, const float *values, int map, int kind, const float *anisotropy,
+                    bool anisotropy_per_lane, float largest, float *x, float *y) {
+    for (size_t i = 0; i < n; i++) x[i] = values[i];
+    if (map == 0)
+        for (size_t i = 0; i < n; i++) x[i] = alpha_from_roughness(x[i]);
+    if (map == 2)
+        for (size_t i = 0; i < n; i++) x[i] = alpha_from_roughness_sqrt(x[i]);
+    if (!anisotropy_per_lane && anisotropy[0] == 0.0f) {
+        for (size_t i = 0; i < n; i++) x[i] = y[i] = width_in_range(x[i], largest);
+        return;
+    }
+    for (size_t i = 0; i < n; i++) {
+        widths w = stretched(kind, x[i], anisotropy[anisotropy_per_lane ? i : 0]);
+        x[i] = width_in_range(w.x, largest);
+        y[i] = width_in_range(w.y, largest);
+    }
+}
+
 /* The ndf=blinn of microfacet is a power of a cosine: no stretch, exponent >= 0. */
 static bool check_blinn(nd_binding *b, widths w) {
     if (nd_choice(b, "ndf") != ND_NDF_IS_blinn) return true;

@@ -46,8 +46,7 @@ static void drop(nd_call *c, const char *key) {
     }
 }
 
-/* "1.color.g" -> lobe 1, key "color", channel 1. Channel -1: all. */
-static bool split(const char *path, size_t *lobe, char *key, size_t room, int *channel) {
+bool nd_parameter_path(const char *path, size_t *lobe, char *key, size_t room, int *channel) {
     *lobe = 0;
     if (path[0] >= '0' && path[0] <= '9') {
         char *end;
@@ -109,12 +108,14 @@ static bool listed(const char *words, const char *word) {
     return nd_word_index(words, word) >= 0;
 }
 
-/* Where a spelling is dropped for one of the fields it set, the other fields keep their value. */
+/* Where a spelling is dropped for one of the fields it set, the other fields keep their value. Of
+   the Fresnel keys only eta and k belong together: f0 and ior each give the whole. */
 static void keep_siblings(nd_call *c, const nd_lobe *l, const char *key) {
     const nd_schema *s = l->model->schema();
     for (int g = 0; s->groups[g]; g++) {
         const char *fields = s->groups[g]->fields;
-        if (!listed(fields, key) || strcmp(s->groups[g]->name, "fresnel") == 0) continue;
+        if (strcmp(s->groups[g]->name, "fresnel") == 0) fields = "eta k";
+        if (!listed(fields, key)) continue;
         for (size_t i = 0; i < s->count; i++) {
             const char *other = s->params[i].key;
             bool given = false;
@@ -152,7 +153,7 @@ ndl_material *ndl_material_with(const ndl_material *m, const char *key, double v
     int channel;
     nd_arg arg;
     if (error) *error = (ndl_error){0};
-    if (!split(key, &at, name, sizeof name, &channel) || at >= m->count) {
+    if (!nd_parameter_path(key, &at, name, sizeof name, &channel) || at >= m->count) {
         nd_fail(error, NDL_E_UNKNOWN_NAME, 0, "no parameter of that name in this material", NULL);
         return NULL;
     }

@@ -15,7 +15,7 @@
             "where alpha is the root mean square slope times sqrt(2) per axis.")                   \
     M(LIMITS, "Single scattering; no tail. More in `ndotl models microfacet`.")                    \
     M(ENERGY, "E <= 1 with every masking but none.")                                               \
-    M(SOURCE, "[CookTorrance82], [Walter07] eq. 25, [Heitz14] eq. 72; formulas S1.4, S1.5, S3.5, " \
+    M(SOURCE, "[CookTorrance82], [Walter07] eq. 25, [Heitz14]; formulas S1.4, S1.5, S3.5, " \
               "S3.13, S4.46, S4.47")
 
 #endif

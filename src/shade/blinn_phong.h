@@ -34,7 +34,7 @@
                   "cosine is 1. S4 has no test of the horizon: wo = n and light at 100 degrees "   \
                   "give n.h = .643. (p + 2)/(2 pi) normalises the distribution of microfacets, "   \
                   "not this: microfacet(ndf=blinn).")                                              \
-    M(SOURCE, "[Blinn77], [AMHH18]; formulas S4.24, S4.25, S4.41, S4.55")
+    M(SOURCE, "[Blinn77], [Akenine18]; formulas S4.24, S4.25, S4.41, S4.55")
 
 STRUCT(blinn_phong_p) {
     BLINN_PHONG_PARAMS(FIELD)
@@ -57,7 +57,7 @@ FN vec3 blinn_phong_lecture_brdf_cos(blinn_phong_p p, vec3 wi, vec3 wo) {
     return gated(lit(wi, wo), v3_scale(p.color, blinn_phong_lobe(p.exponent, wi, wo)));
 }
 
-/* color (g + 8)/(8 pi) c^g, 1/sr. Source: [AMHH18], formulas S4.25. */
+/* color (g + 8)/(8 pi) c^g, 1/sr. Source: [Akenine18], formulas S4.25. */
 FN num blinn_phong_normalized_lobe(num exponent, vec3 wi, vec3 wo) {
     return (exponent + 8.0f) * (0.125f * INV_PI) * blinn_phong_lobe(exponent, wi, wo);
 }

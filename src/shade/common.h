@@ -19,14 +19,14 @@ FN cond lit(vec3 wi, vec3 wo) {
 }
 
 /* x cut to [0, FLT_MAX]; 0 for NaN. */
-FN num finite(num x) {
+FN num storable(num x) {
     return sel(x >= 0.0f, min_(x, LARGEST), 0.0f);
 }
 
 /* The last step of every model: f where `on`, exactly 0 elsewhere, never NaN or negative, and
    FLT_MAX where f overflows. */
 FN vec3 gated(cond on, vec3 f) {
-    return v3(sel(on, finite(f.x), 0.0f), sel(on, finite(f.y), 0.0f), sel(on, finite(f.z), 0.0f));
+    return v3(sel(on, storable(f.x), 0.0f), sel(on, storable(f.y), 0.0f), sel(on, storable(f.z), 0.0f));
 }
 
 /* sin^2 of the polar angle of a unit vector, from the tangent components: 1 - z^2 would cancel

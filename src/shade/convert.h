@@ -30,7 +30,7 @@ FN num roughness_from_alpha_direct(num alpha) {
     return alpha;
 }
 
-/* alpha = sqrt(roughness), as pbrt-v4 has it. Source: [pbrt4] 9.6. */
+/* alpha = sqrt(roughness), as pbrt-v4 has it. Source: [Pharr23] 9.6. */
 FN num alpha_from_roughness_sqrt(num roughness) {
     return sqrt_(roughness);
 }
@@ -46,7 +46,7 @@ FN widths widths_of(num x, num y) {
 }
 
 /* alpha/s and alpha s with s = sqrt(1 - 0.9 anisotropy); the product stays alpha^2.
-   Domain: anisotropy in [0, 1], here and below; 0 gives alpha twice. Source: [Burley12] 5.4. */
+   Domain: anisotropy in [0, 1], here and below; 0 gives alpha twice. Source: [Burley12]. */
 FN widths widths_burley(num alpha, num anisotropy) {
     num s = sqrt_(1.0f - NUM(0.9) * anisotropy);
     return widths_of(alpha / s, alpha * s);
@@ -66,7 +66,7 @@ FN widths widths_openpbr(num alpha, num anisotropy) {
 }
 
 /* lerp(alpha, 1, anisotropy^2) along the tangent, alpha along the bitangent.
-   Source: [glTFAnisotropy22]. */
+   Source: [glTF], KHR_materials_anisotropy. */
 FN widths widths_gltf(num alpha, num anisotropy) {
     num t = anisotropy * anisotropy;
     return widths_of(alpha * (1.0f - t) + t, alpha);
@@ -103,7 +103,7 @@ FN num f0_from_ior(num ior) {
 /* (1 + sqrt f0)/(1 - sqrt f0), the larger of the two indices with this reflectance, written so
    that it keeps its digits near f0 = 1, where it is FLT_MAX. Source: formulas S3.20. */
 FN num ior_from_f0(num f0) {
-    return finite(sq_(1.0f + sqrt_(f0)) / max_(1.0f - f0, SMALLEST));
+    return storable(sq_(1.0f + sqrt_(f0)) / max_(1.0f - f0, SMALLEST));
 }
 
 /* Oren and Nayar's A = 1 - s2/(2 (s2 + t)), s2 = sigma^2, with t = 0.33 or 0.57. */

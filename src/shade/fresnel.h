@@ -26,7 +26,7 @@
 
 /* T(word, what, formula, notes, source) */
 #define FRESNEL_MANUAL(T)                                                                          \
-    T(none, "The same reflectance at every angle.", "F = f0", "", "[Karis13]; S3.18")              \
+    T(none, "The same reflectance at every angle.", "F = f0", "", "[Karis13b]; S3.18")             \
     T(schlick, "Schlick's approximation from f0; the default.", "F = f0 + (1 - f0)(1 - VoH)^5",    \
       "Rises for every material; real metals dip first: aluminium at 650 nm has F0 = .9115 and "   \
       "its minimum .834 at VoH = .13, where Schlick is .124 too high (.193 for chromium, .022 "    \
@@ -35,7 +35,7 @@
       "misread with the square on the denominator only, -.08. S2's code mixes f0 by roughness "    \
       "where its text says metalness (S2.8): dielectric .04, base .8, metalness 0, roughness .9 "  \
       "gives .724 instead of .04; not offered.",                                                   \
-      "[Schlick94] eq. 15; S2.4, S2.5, S2.9, S3.19, S4.49")                                        \
+      "[Schlick94]; S2.4, S2.5, S2.9, S3.19, S4.49")                                               \
     T(cook_torrance, "Exact unpolarised Fresnel of the dielectric that has this f0.",              \
       "eta = (1 + sqrt f0)/(1 - sqrt f0), g^2 = eta^2 + VoH^2 - 1, c = VoH: "                      \
       "F = (1/2) ((g - c)/(g + c))^2 (1 + (((g + c) c - 1)/((g - c) c + 1))^2)",                   \
@@ -63,7 +63,7 @@ FN num schlick_weight(num c) {
     return m2 * m2 * m;
 }
 
-/* Schlick's reflectance. Domain: f0 in [0, 1]. Source: [Schlick94] eq. 15. */
+/* Schlick's reflectance. Domain: f0 in [0, 1]. Source: [Schlick94]. */
 FN vec3 fresnel_schlick(vec3 f0, num c) {
     num w = schlick_weight(c);
     return v3(f0.x + (1.0f - f0.x) * w, f0.y + (1.0f - f0.y) * w, f0.z + (1.0f - f0.z) * w);
@@ -71,11 +71,13 @@ FN vec3 fresnel_schlick(vec3 f0, num c) {
 
 /* Both polarisations' mean, from e = (a - c)(a + c), sum = a + c and the two quotient parts
    n = a c - s2, d = a c + s2, by one division: ((e/sum^2)^2 (1 + (n/d)^2)) / 2.
-   e = 0 (no boundary) gives 0. */
+   e = 0 (no boundary) gives 0; 0/0 for n/d counts as 1, which is f0 = 1 at the horizon. */
 FN num unpolarised(num e, num sum, num n, num d) {
     num sum2 = sum * sum;
-    num below = 2.0f * (sum2 * sum2) * (d * d);
-    return min_(e * e * (d * d + n * n) / max_(below, SMALLEST), 1.0f);
+    num n2 = n * n + SMALLEST;
+    num d2 = d * d + SMALLEST;
+    num below = 2.0f * (sum2 * sum2) * d2;
+    return min_(e * e * (d2 + n2) / max_(below, SMALLEST), 1.0f);
 }
 
 /* One channel of fresnel_cook_torrance. eta is never formed: with r = sqrt f0 and m = 1 - r,
@@ -104,7 +106,7 @@ FN vec3 fresnel_dielectric(num ior, num c) {
     num a = sqrt_(max_(a2, 0.0f));
     num s2 = (1.0f - c) * (1.0f + c);
     num f = unpolarised(e, a + c, a * c - s2, a * c + s2);
-    return v3_splat(sel(a2 > 0.0f, f, 1.0f));
+    return v3_splat(sel(a2 >= 0.0f, f, 1.0f));
 }
 
 /* One channel of fresnel_conductor. Of a^2 and b^2 the larger is formed by adding, the smaller

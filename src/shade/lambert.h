@@ -10,14 +10,15 @@
 #define LAMBERT_KERNELS(K) K(lambert, lambert, ND_CLAIM_ALL | ND_TRAIT_LECTURE_PI)
 
 #define LAMBERT_MANUAL(M)                                                                          \
-    M(WHAT, "A matt surface that looks equally bright from everywhere: f = color / pi.")            \
-    M(WHEN, "Paper, plaster, unglazed clay under one light; the diffuse part of most materials. "   \
-            "For rough clay, sand or cloth, which stay bright towards their edge, oren_nayar.")     \
-    M(LIMITS, "No highlight, no edge brightening, no dependence on the viewer.")                    \
-    M(DEPARTURES, "S4.8 and S4.12 write f = rho without 1/pi, and with the cosine inside: such a "  \
-                  "surface would reflect pi times what arrives. That quantity is "                  \
-                  "--convention scanline.")                                                         \
-    M(SOURCE, "[Lambert1760]; formulas S4.8, S4.12, S4.13")
+    M(WHAT, "A matt surface that looks equally bright from everywhere.")                           \
+    M(FORMULA, "f = color / pi")                                                                   \
+    M(WHEN, "Paper, plaster, unglazed clay under one light; the diffuse part of most materials. "  \
+            "For rough clay, sand or cloth, which stay bright towards their edge, oren_nayar.")    \
+    M(LIMITS, "No highlight, no edge brightening, no dependence on the viewer.")                   \
+    M(DEPARTURES, "S4.8 and S4.12 write f = rho without 1/pi, and with the cosine inside: such a " \
+                  "surface would reflect pi times what arrives. That quantity is "                 \
+                  "--convention scanline.")                                                        \
+    M(SOURCE, "[Lambert1760]; formulas S2.3, S4.8, S4.12, S4.13")
 
 STRUCT(lambert_p) {
     LAMBERT_PARAMS(FIELD)

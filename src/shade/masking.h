@@ -10,8 +10,10 @@
     "none implicit neumann cook_torrance kelemen smith smith_correlated smith_walter "             \
     "schlick_beckmann schlick_ggx schlick_direct"
 #define MASKING_LIST(T)                                                                            \
-    T(none) T(implicit) T(neumann) T(cook_torrance) T(kelemen) T(smith) T(smith_correlated)        \
-    T(smith_walter) T(schlick_beckmann) T(schlick_ggx) T(schlick_direct)
+    T(none)                                                                                        \
+    T(implicit)                                                                                    \
+    T(neumann) T(cook_torrance) T(kelemen) T(smith) T(smith_correlated) T(smith_walter)            \
+        T(schlick_beckmann) T(schlick_ggx) T(schlick_direct)
 
 /* T(word, what, formula, notes, source) */
 #define MASKING_MANUAL(T)                                                                          \
@@ -23,9 +25,11 @@
     T(implicit, "The cosines themselves, so V = 1/4.", "G = NoL NoV",                              \
       "Ignores roughness and is far too dark: E with GGX, alpha .1 is .930 .258 .035 .020 at "     \
       "NoV = 1 .5 .1 .01.",                                                                        \
-      "[Karis13]; S3.8")                                                                           \
+      "[Karis13b]; S3.8")                                                                          \
     T(neumann, "The smaller cosine.", "G = NoL NoV / max(NoL, NoV) = min(NoL, NoV)",               \
-      "Dark: E with GGX, alpha .1 is .930 .443 .109 .055 at NoV = 1 .5 .1 .01.",                   \
+      "Dark: E with GGX, alpha .1 is .930 .443 .109 .055 at NoV = 1 .5 .1 .01. As G looks at no "  \
+      "width, it gains for very wide ones: E at the horizon is alpha/2 with GGX, 2 at alpha 4, "   \
+      "and 1.14 with Beckmann there; none up to alpha 2.",                                         \
       "[Neumann99]; S3.9")                                                                         \
     T(cook_torrance, "V-shaped grooves (Torrance and Sparrow; Blinn; Cook and Torrance).",         \
       "G = min(1, 2 NoH NoV / VoH, 2 NoH NoL / VoH)",                                              \
@@ -56,7 +60,8 @@
       "else 1; cut to 1",                                                                          \
       "Within .313 % of the exact form, whose value at 1.6 is .9982. The printed fit exceeds 1 "   \
       "from c = 1.548133 (at most 1.0000613, at 1.58884) and jumps by -5.7e-5 at 1.6; the cut "    \
-      "makes it continuous.",                                                                      \
+      "makes it continuous. It is Beckmann's: with ndf=ggx, whose wide slopes it hides too "       \
+      "little, E reaches 1.73 at the horizon, with ndf=blinn 1.34 (alpha 1).",                     \
       "[Walter07]; S3.13")                                                                         \
     T(schlick_beckmann, "Schlick's rational form with his k.",                                     \
       "G1 = wz / (wz (1 - k) + k), k = alpha sqrt(2/pi)",                                          \
@@ -67,14 +72,14 @@
     T(schlick_ggx, "Schlick's rational form matched to GGX, for image-based light.",               \
       "G1 = wz / (wz (1 - k) + k), k = alpha/2",                                                   \
       "Exact at alpha = 1, else off by up to .161 (alpha .01), .109 (.25), .066 (.5).",            \
-      "[Karis13UE4]; S3.17, S2.18")                                                                \
+      "[Karis13]; S3.17, S2.18")                                                                   \
     T(schlick_direct, "Schlick's rational form with the k for direct light, S2's own.",            \
       "G1 = wz / (wz (1 - k) + k), k = (roughness + 1)^2 / 8",                                     \
       "roughness as given, or sqrt(alpha) if only alpha is known. k is never below 1/8, so a "     \
       "mirror loses light: G1(.1) = .47. With roughness_map=direct, where alpha is the roughness " \
       "itself, this is document S2; with the default map it is UE4. E(F = 1) at NoV 1 .5 .1, "     \
       "roughness .5: S2 .652 .582 .620; UE4 .860 .585 .360; smith_correlated .916 .857 .892.",     \
-      "[Karis13UE4]; S2.15, S2.16, S2.17, S2.18, S2.19")
+      "[Karis13]; S2.15, S2.16, S2.17, S2.18, S2.19")
 
 /* Two quotients that are not divided yet: V = n/d in 1, and V NoL = n_cos/d_cos. */
 STRUCT(visibility) {
@@ -104,7 +109,7 @@ FN visibility masking_none(vec3 wi, vec3 wo) {
     return v;
 }
 
-/* V = 1/4. Source: [Karis13]. */
+/* V = 1/4. Source: [Karis13b]. */
 FN visibility masking_implicit(vec3 wi) {
     return visibility_of(NUM(0.25), NUM(1.0), wi);
 }
@@ -157,7 +162,7 @@ FN num alpha_sine(num alpha_x, num alpha_y, vec3 w) {
 
 /* Beckmann's wz (1 + Lambda(w)) = (wz (1 + erf(a)) + alpha sin exp(-a^2)/sqrt(pi))/2 with
    a = wz/(alpha sin): a sum of positive terms without a pole, neither at the horizon nor at the
-   normal. a is cut at 10, where erf is 1 and the exponential is 0. Source: [Heitz14] eq. 72. */
+   normal. a is cut at 10, where erf is 1 and the exponential is 0. Source: [Heitz14]. */
 FN num beckmann_length(num alpha_x, num alpha_y, vec3 w) {
     num s = alpha_sine(alpha_x, alpha_y, w);
     num a = min_(w.z / max_(s, SMALLEST), 10.0f);
@@ -219,7 +224,7 @@ FN visibility masking_schlick_beckmann(num alpha_x, num alpha_y, vec3 wi, vec3 w
                            SQRT_TWO_OVER_PI * projected_alpha(alpha_x, alpha_y, wo), wi, wo);
 }
 
-/* k = alpha/2. Source: [Karis13UE4]. */
+/* k = alpha/2. Source: [Karis13]. */
 FN visibility masking_schlick_ggx(num alpha_x, num alpha_y, vec3 wi, vec3 wo) {
     return masking_schlick(0.5f * projected_alpha(alpha_x, alpha_y, wi),
                            0.5f * projected_alpha(alpha_x, alpha_y, wo), wi, wo);
@@ -232,7 +237,7 @@ FN num direct_k(num alpha_x, num alpha_y, num direct_roughness, vec3 w) {
     return 0.125f * sq_(sel(alpha_x == alpha_y, direct_roughness, projected) + 1.0f);
 }
 
-/* k = (roughness + 1)^2/8. Source: [Karis13UE4], formulas S2.16. */
+/* k = (roughness + 1)^2/8. Source: [Karis13], formulas S2.16. */
 FN visibility masking_schlick_direct(num alpha_x, num alpha_y, num direct_roughness, vec3 wi,
                                      vec3 wo) {
     return masking_schlick(direct_k(alpha_x, alpha_y, direct_roughness, wi),

@@ -28,13 +28,16 @@
                "f0 = lerp(dielectric_f0, base_color, metalness)")                                  \
     M(WHEN, "Assets that come with base colour, metalness and roughness.")                         \
     M(LIMITS, "No clear coat, no sheen, no transmission.")                                         \
-    M(ENERGY, "Gains: the diffuse part loses only what the half vector's mirror reflects, so "     \
-              "E = 1.28 at roughness .3, NoV .1, base_color 1, metalness 0.")                      \
-    M(DEPARTURES, "S2 names k_d and k_s without defining them; k_s = F would square F (F = .07 "   \
-                  "counts .0049 at VoH .5). It mixes f0 by metalness in the text, by roughness in "\
-                  "the code: dielectric .04, base .8, metalness 0, roughness .9 gives .724 there, "\
-                  ".04 here. That a metal has no diffuse part is not said there but needed.")      \
-    M(SOURCE, "[Burley12], [Karis13UE4], [glTF20]; formulas S2.1, S2.3, S2.7, S2.8, S4.16")
+    M(ENERGY,                                                                                      \
+      "Gains: the diffuse part loses only what the half vector's mirror reflects, so "             \
+      "E = 1.28 at roughness .3, NoV .1, base_color 1, metalness 0, and up to 1.78 at the "        \
+      "horizon (roughness .1).")                                                                   \
+    M(DEPARTURES,                                                                                  \
+      "S2 names k_d and k_s without defining them; k_s = F would square F (F = .07 "               \
+      "counts .0049 at VoH .5). It mixes f0 by metalness in the text, by roughness in "            \
+      "the code: dielectric .04, base .8, metalness 0, roughness .9 gives .724 there, "            \
+      ".04 here. That a metal has no diffuse part is not said there but needed.")                  \
+    M(SOURCE, "[Burley12], [Karis13], [glTF]; formulas S2.1, S2.3, S2.7, S2.8, S4.16")
 
 STRUCT(metal_rough_p) {
     METAL_ROUGH_PARAMS(FIELD)
@@ -58,7 +61,7 @@ FN vec3 schlick_refracted(vec3 f0, num c) {
 FN vec3 metal_rough_value(metal_rough_p p, cond on, halfway m, num n, num d, num cosine) {
     vec3 f0 = metal_rough_f0(p);
     ratio r = ndf_ggx(p.alpha_x, p.alpha_y, m.h, m.hh);
-    num dv = finite(r.n * n / max_(r.d * d, SMALLEST));
+    num dv = storable(r.n * n / max_(r.d * d, SMALLEST));
     vec3 highlight = v3_scale(fresnel_schlick(f0, m.cosine), dv);
     vec3 refracted = v3_mul(p.base_color, schlick_refracted(f0, m.cosine));
     num share = INV_PI * (1.0f - p.metalness) * cosine;
@@ -66,7 +69,7 @@ FN vec3 metal_rough_value(metal_rough_p p, cond on, halfway m, num n, num d, num
 }
 
 /* Reflected radiance per irradiance, 1/sr, without the cosine. Source: contract of the glTF 2.0
-   material [glTF20] with alpha, Smith and Fresnel as the FORMULA section says. */
+   material [glTF] with alpha, Smith and Fresnel as the FORMULA section says. */
 FN vec3 metal_rough_brdf(metal_rough_p p, vec3 wi, vec3 wo) {
     visibility v = masking_ggx_smith_correlated(p.alpha_x, p.alpha_y, wi, wo);
     return metal_rough_value(p, lit(wi, wo), halfway_of(wi, wo), v.n, v.d, NUM(1.0));

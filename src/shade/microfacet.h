@@ -50,9 +50,11 @@
     M(LIMITS, "Single scattering: light that leaves after a second bounce is missing, so rough "   \
               "surfaces lose energy (E of GGX at alpha 1, F = 1, NoV 1 is 1 - ln 2 = .307). "      \
               "Reflection only; nothing below alpha = 0.001.")                                     \
-    M(ENERGY, "E <= 1 with every masking but none; masking=none gains without bound towards the "  \
-              "horizon (GGX, alpha .5, F = 1: 2.90 at NoV .1, 25.4 at .01), and ndf=blinn with "   \
-              "smith or smith_correlated gains at wide alpha (1.32 and 1.69 at alpha 1, NoV .01). "\
+    M(ENERGY, "E <= 1 but for these: masking=none gains without bound towards the horizon (GGX, "  \
+              "alpha .5, F = 1: 2.90 at NoV .1, 25.4 at .01); ndf=blinn gains with smith, "        \
+              "smith_correlated and smith_walter at wide alpha (1.32, 1.69, 1.32 at alpha 1, NoV " \
+              ".01); ndf=ggx with smith_walter (up to 1.73 at the horizon); neumann beyond alpha " \
+              "2 (alpha/2 at the horizon). "                                                       \
               "E with GGX, smith_correlated, F = 1 at NoV 1 .5 .1 .01: alpha .1 .988 .969 .884 "   \
               ".977; .5 .688 .698 .860 .974; 1 .307 .451 .760 .954.")                              \
     M(DEPARTURES,                                                                                  \
@@ -78,12 +80,12 @@ STRUCT(microfacet_p) {
 /* The last step of a microfacet value: color F n/d, with the one division of the whole formula;
    n/d = D V, or D V NoL for the cosine's form. */
 FN vec3 microfacet_value(cond on, vec3 color, vec3 f, num n, num d) {
-    return gated(on, v3_mul(color, v3_scale(f, finite(n / max_(d, SMALLEST)))));
+    return gated(on, v3_mul(color, v3_scale(f, storable(n / max_(d, SMALLEST)))));
 }
 
 /* One term by itself, n/d: 0 outside the gate, FLT_MAX where it overflows. */
 FN num microfacet_term(cond on, num n, num d) {
-    return sel(on, finite(n / max_(d, SMALLEST)), 0.0f);
+    return sel(on, storable(n / max_(d, SMALLEST)), 0.0f);
 }
 
 /* G = (V NoL) (4 NoV), unitless: 0 outside the gate, at most 1. */

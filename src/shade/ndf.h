@@ -22,15 +22,15 @@
       "S3.7, S4.48")                                                                               \
     T(beckmann, "Beckmann-Spizzichino: a surface whose slopes are Gaussian; no tail.",             \
       "D = exp(-(hx^2/alpha_x^2 + hy^2/alpha_y^2) / hz^2) / (pi alpha_x alpha_y hz^4), h unit",    \
-      "alpha is the root mean square slope times sqrt(2) per axis, and the RMS of the whole "      \
-      "slope; the mean slope is .886 alpha (S4.46 says average).",                                 \
+      "alpha is the root mean square of the slope; its mean is .886 alpha, where S4.46 says "      \
+      "average.",                                                                                  \
       "[CookTorrance82], [Walter07] eq. 25; S1.4, S1.5, S3.5, S4.46, S4.47")                       \
     T(blinn, "Blinn's power of a cosine, normalised; isotropic, alpha <= 1.",                      \
       "D = NoH^(2/alpha^2 - 2) / (pi alpha^2) = (p + 2)/(2 pi) NoH^p with p = 2/alpha^2 - 2",      \
       "Close to Beckmann for small alpha. It has no Smith masking of its own: the documents take " \
       "Beckmann's, which gains energy (E up to 1.32 at alpha = 1, NoV = .01). (p + 8)/(8 pi) is "  \
       "another normalisation, that of the BRDF without microfacets: blinn_phong.",                 \
-      "[Blinn77], [Walter07], [Karis13]; S3.4, S4.45")
+      "[Blinn77], [Walter07], [Karis13b]; S3.4, S4.45")
 
 /* 1 / (alpha_x alpha_y): hoisted out of a batch where the widths are uniform. */
 FN num inverse_area(num alpha_x, num alpha_y) {
@@ -45,7 +45,7 @@ FN num stretched2(num alpha_x, num alpha_y, num inverse, vec3 h) {
 }
 
 /* GGX. Domain: alpha in [1e-3, 4]; hh = h.h > 0. Source: [Walter07] eq. 33, anisotropic as in
-   [Burley12] eq. 13; the tangent components keep the accuracy that 1 - hz^2 would lose. */
+   [Burley12]; the tangent components keep the accuracy that 1 - hz^2 would lose. */
 FN ratio ndf_ggx(num alpha_x, num alpha_y, vec3 h, num hh) {
     num inverse = inverse_area(alpha_x, alpha_y);
     num q = stretched2(alpha_x, alpha_y, inverse, h) + h.z * h.z;
@@ -74,7 +74,7 @@ FN num log_cosine2(vec3 h) {
     return -log1p_(sin2_theta(h) * inverse_square_z(h));
 }
 
-/* Blinn. Domain: alpha in [1e-3, 1]. Source: [Karis13], formulas S3.4; the exponent
+/* Blinn. Domain: alpha in [1e-3, 1]. Source: [Karis13b], formulas S3.4; the exponent
    2/alpha^2 - 2 as 2 (1 - alpha)(1 + alpha)/alpha^2, which does not cancel near alpha = 1. */
 FN ratio ndf_blinn(num alpha, vec3 h) {
     num inverse = inverse_area(alpha, alpha);

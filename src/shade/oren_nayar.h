@@ -37,7 +37,7 @@
                "table: qualitative with sin a sin b from a bilinear table.")                       \
     M(WHEN, "Clay, plaster, sand, soil, cloth, the moon.")                                         \
     M(LIMITS, "No highlight. full is 0 where its formula is negative (rough surfaces, light and "  \
-              "viewer grazing from opposite sides). table stays within 1e-3 of qualitative in "    \
+              "viewer grazing from opposite sides). table stays within 2e-4 of qualitative in "    \
               "f NoL.")                                                                            \
     M(ENERGY, "Gains a little at color 1: E at most 1.0152 for .33 (sigma .199), 1.0444 for .57 "  \
               "(sigma .289), 1.020 to 1.050 for full, all at the horizon; rough surfaces lose. "   \
@@ -50,7 +50,8 @@
       ".2588 are right. Its normalised projections are 0/0 at wi = n or wo = n; sin a tan b is 0 " \
       "there. Without angles the same is G sin a tan b = max(0, wi.x wo.x + wi.y wo.y)/max(NoL, "  \
       "NoV). Materials that give A have sigma^2 = .33 (1 - A)/(A - .5), and a means this A "       \
-      "whatever the variant. The lecture's table f(p, q) = B sin a tan b is unbounded (331 at p = "\
+      "whatever the variant. The lecture's table f(p, q) = B sin a tan b is unbounded (331 at p "  \
+      "= "                                                                                         \
       "q = .001, sigma .5); this one holds sin a sin b and is divided by max(p, q), and B stays "  \
       "outside, so that one table serves every sigma.")                                            \
     M(SOURCE, "[OrenNayar94]; formulas S4.29 to S4.33")
@@ -86,7 +87,7 @@ FN num same_side(vec3 wi, vec3 wo) {
 }
 
 /* Reflected radiance per irradiance, 1/sr, without the cosine; ..._cos with it.
-   Source: [OrenNayar94] eq. 30, formulas S4.29. */
+   Source: [OrenNayar94], formulas S4.29. */
 FN vec3 oren_nayar_qualitative_brdf(oren_nayar_p p, vec3 wi, vec3 wo) {
     return oren_nayar_value(p, wi, wo, a_from_sigma(p.sigma), same_side(wi, wo), NUM(1.0));
 }

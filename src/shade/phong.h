@@ -29,11 +29,12 @@
               "exponent 5, NoL .2, NoV .8 gives 1.170, exchanged .292.")                           \
     M(ENERGY, "lecture gains below exponent 5.28: it reflects pi, 1.047, .571, .0622 of a white "  \
               "furnace at NoV = 1 for exponent 1, 5, 10, 100. normalized reflects at most 1.")     \
-    M(DEPARTURES, "S4's text adds d' = n' - d twice, but says n' is subtracted from the light "    \
-                  "vector: that order gives 3 d - 2 n' ((.6, 0, .8) becomes (1.8, 0, .8)). In "    \
-                  "GLSL r = -reflect(d, n) for d towards the light, as here; with the opposite d " \
-                  "r points into the surface. 0^0 is 1: exponent 0 is white everywhere. S4 has no "\
-                  "test of the horizon: light 5.7 degrees below it still gives v.r = .98.")        \
+    M(DEPARTURES,                                                                                  \
+      "S4's text adds d' = n' - d twice, but says n' is subtracted from the light "                \
+      "vector: that order gives 3 d - 2 n' ((.6, 0, .8) becomes (1.8, 0, .8)). In "                \
+      "GLSL r = -reflect(d, n) for d towards the light, as here; with the opposite d "             \
+      "r points into the surface. 0^0 is 1: exponent 0 is white everywhere. S4 has no "            \
+      "test of the horizon: light 5.7 degrees below it still gives v.r = .98.")                    \
     M(SOURCE, "[Phong75], [LafortuneWillems94]; formulas S4.18 to S4.22, S4.41, S4.55")
 
 STRUCT(phong_p) {

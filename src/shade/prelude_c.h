@@ -23,43 +23,91 @@ typedef struct {
 } vec3;
 
 #define FN static inline __attribute__((always_inline, unused))
-#define STRUCT(name)          \
-    typedef struct name name; \
+#define STRUCT(name)                                                                               \
+    typedef struct name name;                                                                      \
     struct name
 /* A constant that float cannot hold exactly; rounded once, to the width of the build. */
 #define NUM(x) ((num)(x))
 
 /* ---- conditions ---- */
-FN num sel(cond c, num a, num b) { return c ? a : b; }
-FN cond both(cond a, cond b) { return a & b; }
-FN cond either(cond a, cond b) { return a | b; }
-FN cond not_(cond a) { return a == 0; }
+FN num sel(cond c, num a, num b) {
+    return c ? a : b;
+}
+FN cond both(cond a, cond b) {
+    return a & b;
+}
+FN cond either(cond a, cond b) {
+    return a | b;
+}
+FN cond not_(cond a) {
+    return a == 0;
+}
 
 /* ---- numbers ---- */
 /* The smaller, the larger; b where a is NaN. */
-FN num min_(num a, num b) { return a < b ? a : b; }
-FN num max_(num a, num b) { return a > b ? a : b; }
+FN num min_(num a, num b) {
+    return a < b ? a : b;
+}
+FN num max_(num a, num b) {
+    return a > b ? a : b;
+}
 /* x limited to [lo, hi]; lo where x is NaN. */
-FN num clamp_(num x, num lo, num hi) { return min_(max_(x, lo), hi); }
+FN num clamp_(num x, num lo, num hi) {
+    return min_(max_(x, lo), hi);
+}
 
 #ifdef ND_WIDE
-FN num abs_(num x) { return fabs(x); }
-FN num sqrt_(num x) { return sqrt(x); }
-FN num floor_(num x) { return floor(x); }
-FN num round_(num x) { return floor(x + 0.5); }
-FN num exp_(num x) { return exp(x); }
-FN num expm1_(num x) { return expm1(x); }
-FN num log_(num x) { return log(x); }
-FN num log1p_(num x) { return log1p(x); }
-FN num pow_(num x, num y) { return pow(x, y); }
-FN num acos_(num x) { return acos(clamp_(x, -1.0, 1.0)); }
-FN num atan2_(num y, num x) { return atan2(y, x); }
-FN num sin_(num x) { return sin(x); }
-FN num cos_(num x) { return cos(x); }
-FN num sin2pi_(num u) { return sin(6.28318530717958647693 * (u - round_(u))); }
-FN num cos2pi_(num u) { return cos(6.28318530717958647693 * (u - round_(u))); }
-FN num erf_(num x) { return erf(x); }
-FN num erfc_(num x) { return erfc(x); }
+FN num abs_(num x) {
+    return fabs(x);
+}
+FN num sqrt_(num x) {
+    return sqrt(x);
+}
+FN num floor_(num x) {
+    return floor(x);
+}
+FN num round_(num x) {
+    return floor(x + 0.5);
+}
+FN num exp_(num x) {
+    return exp(x);
+}
+FN num expm1_(num x) {
+    return expm1(x);
+}
+FN num log_(num x) {
+    return log(x);
+}
+FN num log1p_(num x) {
+    return log1p(x);
+}
+FN num pow_(num x, num y) {
+    return pow(x, y);
+}
+FN num acos_(num x) {
+    return acos(clamp_(x, -1.0, 1.0));
+}
+FN num atan2_(num y, num x) {
+    return atan2(y, x);
+}
+FN num sin_(num x) {
+    return sin(x);
+}
+FN num cos_(num x) {
+    return cos(x);
+}
+FN num sin2pi_(num u) {
+    return sin(6.28318530717958647693 * (u - round_(u)));
+}
+FN num cos2pi_(num u) {
+    return cos(6.28318530717958647693 * (u - round_(u)));
+}
+FN num erf_(num x) {
+    return erf(x);
+}
+FN num erfc_(num x) {
+    return erfc(x);
+}
 
 /* Halley's method on erf and erfc, which keeps its digits next to 1, from [Winitzki08]'s start,
    good to 2e-3. Domain: |x| < 1. Accuracy: 1e-15 relative. */
@@ -76,9 +124,13 @@ FN num erfinv_(num x) {
     return x < 0.0 ? -y : y;
 }
 #else
-FN num abs_(num x) { return __builtin_fabsf(x); }
+FN num abs_(num x) {
+    return __builtin_fabsf(x);
+}
 /* Square root, correctly rounded. Domain: x >= 0, NaN below. */
-FN num sqrt_(num x) { return __builtin_sqrtf(x); }
+FN num sqrt_(num x) {
+    return __builtin_sqrtf(x);
+}
 
 /* Largest integer not above x; exact. Adding 2^23 to |x| rounds it to an integer; from 2^23 on x
    is one. NaN stays NaN, floor_(-0) is 0. */
@@ -90,7 +142,9 @@ FN num floor_(num x) {
 }
 
 /* Nearest integer, ties to even. Domain: |x| <= 2^22. Adding 1.5 2^23 leaves no fraction bits. */
-FN num round_(num x) { return (x + 12582912.0f) - 12582912.0f; }
+FN num round_(num x) {
+    return (x + 12582912.0f) - 12582912.0f;
+}
 
 /* 2^n. Domain: integers n in [-126, 127]. */
 FN num pow2_(num n) {
@@ -125,12 +179,24 @@ FN vec3 v3(num x, num y, num z) {
     r.z = z;
     return r;
 }
-FN vec3 v3_splat(num s) { return v3(s, s, s); }
-FN vec3 v3_add(vec3 a, vec3 b) { return v3(a.x + b.x, a.y + b.y, a.z + b.z); }
-FN vec3 v3_sub(vec3 a, vec3 b) { return v3(a.x - b.x, a.y - b.y, a.z - b.z); }
-FN vec3 v3_mul(vec3 a, vec3 b) { return v3(a.x * b.x, a.y * b.y, a.z * b.z); }
-FN vec3 v3_scale(vec3 a, num s) { return v3(a.x * s, a.y * s, a.z * s); }
-FN num v3_dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+FN vec3 v3_splat(num s) {
+    return v3(s, s, s);
+}
+FN vec3 v3_add(vec3 a, vec3 b) {
+    return v3(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+FN vec3 v3_sub(vec3 a, vec3 b) {
+    return v3(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+FN vec3 v3_mul(vec3 a, vec3 b) {
+    return v3(a.x * b.x, a.y * b.y, a.z * b.z);
+}
+FN vec3 v3_scale(vec3 a, num s) {
+    return v3(a.x * s, a.y * s, a.z * s);
+}
+FN num v3_dot(vec3 a, vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 FN vec3 v3_cross(vec3 a, vec3 b) {
     return v3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }

@@ -6,7 +6,8 @@
 #define TOON_DIFFUSE_PARAMS(P) TOON_COLOR_PARAMS(P) TOON_RAMP_PARAMS(P)
 
 /* Claims no law: it is no reflectance. */
-#define TOON_DIFFUSE_KERNELS(K) K(toon_diffuse, toon_diffuse, 0) K(toon_diffuse, toon_diffuse_ramp, 0)
+#define TOON_DIFFUSE_KERNELS(K)                                                                    \
+    K(toon_diffuse, toon_diffuse, 0) K(toon_diffuse, toon_diffuse_ramp, 0)
 
 #define TOON_DIFFUSE_MANUAL(M)                                                                     \
     M(WHAT, "Cartoon shading: lambert's cosine cut into two colours, or mapped by a ramp.")        \
@@ -16,10 +17,11 @@
     M(LIMITS, "Not a reflectance: neither reciprocal nor bounded, and brdf grows towards the "     \
               "light's horizon. Below the horizon it is 0, not color2.")                           \
     M(ENERGY, "Gains: two equal colours c reflect 2 pi c of a white furnace.")                     \
-    M(DEPARTURES, "The lecture draws its gradients from 1-D textures without saying their domain " \
-                  "or filter; here a ramp is the exact piecewise linear function of the cosine in "\
-                  "linear RGB, so no texel shifts the threshold. The lecture has no test of the "  \
-                  "horizon.")                                                                      \
+    M(DEPARTURES,                                                                                  \
+      "The lecture draws its gradients from 1-D textures without saying their domain "             \
+      "or filter; here a ramp is the exact piecewise linear function of the cosine in "            \
+      "linear RGB, so no texel shifts the threshold. The lecture has no test of the "              \
+      "horizon.")                                                                                  \
     M(SOURCE, "formulas S4.26, S4.28")
 
 STRUCT(toon_diffuse_p) {

@@ -31,9 +31,10 @@
               "light's horizon. color2 is what the surface has everywhere but in the spot: 0 for " \
               "a highlight that is added.")                                                        \
     M(ENERGY, "Gains: two equal colours c reflect 2 pi c of a white furnace.")                     \
-    M(DEPARTURES, "The lecture leaves the cosine unclamped, which matters for a threshold below "  \
-                  "0, and so does this; it has no test of the horizon, so its highlight may light "\
-                  "back faces, and this one does not.")                                            \
+    M(DEPARTURES,                                                                                  \
+      "The lecture leaves the cosine unclamped, which matters for a threshold below "              \
+      "0, and so does this; it has no test of the horizon, so its highlight may light "            \
+      "back faces, and this one does not.")                                                        \
     M(SOURCE, "formulas S4.26, S4.27, S4.28")
 
 STRUCT(toon_specular_p) {
