@@ -4,7 +4,7 @@
    QUANTITIES of ndl_convert, numbers unless said otherwise
      alpha, alpha_x, alpha_y   microfacet widths, [0, 4]
      roughness                 perceptual width, [0, 1]; alpha by roughness_map
-     anisotropy                [0, 1]; alpha_x and alpha_y of alpha by anisotropy_kind; 0 if not given
+     anisotropy                [0, 1], 0 if not given; alpha_x, alpha_y of alpha by anisotropy_kind
      blinn_exponent            exponent of the NDF NoH^p, >= 0: alpha = sqrt(2/(p + 2))
      phong_exponent            a quarter of blinn_exponent
      ior, f0                   index of refraction > 0; reflectance straight on, [0, 1]

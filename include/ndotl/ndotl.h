@@ -141,6 +141,16 @@ NDL_API void ndl_brdf_cos_lanes_n(const ndl_material *m, size_t lanes, const ndl
 NDL_API int ndl_lanes_check(const ndl_material *m, size_t lanes, const ndl_lanes *lane,
                             ndl_error *err);
 
+/* ndl_brdf_n and ndl_brdf_cos_n by several threads, for large batches: the same bits whatever their
+   number. `threads` counts the caller's; 0 or less means all processors. They are started and ended
+   within the call, so fewer than NDL_THREADS_LEAST pairs are left to the caller's thread alone, and
+   a machine that gives no more threads is no error. */
+enum { NDL_THREADS_LEAST = 65536 };
+NDL_API void ndl_brdf_threads_n(const ndl_material *m, int threads, size_t n, ndl_vec3_n wi,
+                                ndl_vec3_n wo, ndl_rgb_n rgb);
+NDL_API void ndl_brdf_cos_threads_n(const ndl_material *m, int threads, size_t n, ndl_vec3_n wi,
+                                    ndl_vec3_n wo, ndl_rgb_n rgb);
+
 /* The lecture's scan-line quantity [Gribaudo24]: cosine inside, no 1/pi on the diffuse part.
    pi * brdf_cos for lambert and oren_nayar lobes, brdf_cos for all others. Never clamped. */
 NDL_API ndl_rgb ndl_scanline(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo);
@@ -170,6 +180,46 @@ NDL_API void ndl_term_n(const ndl_material *m, ndl_term_kind term, size_t n, ndl
    Errors:   *error, when not NULL, is the estimated absolute error of the worst channel; larger
              than tolerance when the work limit stopped the refinement. */
 NDL_API ndl_rgb ndl_albedo(const ndl_material *m, ndl_vec3 wo, float tolerance, float *error);
+
+/* The mirror direction of w at a surface with unit normal n: 2 (n.w) n - w. Like w it leaves the
+   surface, so for w towards the light this is the lecture's r and, in GLSL, -reflect(w, n) or
+   reflect(-w, n); with w from the light to the surface r would point into the surface.
+   Domain:   any frame; |n| = 1. |w| is kept. w below the surface gives a mirror below it.
+   Accuracy: computed in double, each component rounded once.
+   Source:   [Phong75]; formulas S4.19, S4.20. The order that S4's text gives (S4.18) is
+             3 w - 2 (n.w) n. */
+NDL_API ndl_vec3 ndl_reflect(ndl_vec3 w, ndl_vec3 n);
+
+/* ---- drawing directions -------------------------------------------------------------------------
+
+   Importance sampling of brdf_cos: each model draws by its own density, which its manual gives
+   (`ndotl models NAME`, section sampling). A sum is a mixture: u.z chooses a lobe, with chances that
+   follow the lobes' albedos, and the density is that of the whole mixture. */
+
+/* One drawn direction. pdf 0: no sample; the weight is 0 then, and wi is not to be used. */
+typedef struct { ndl_vec3 wi; ndl_rgb weight; float pdf; } ndl_sample;
+
+/* Draws wi for a viewer at wo. weight = f_r(wi, wo) wi.z / pdf, 1, so that its mean over u is the
+   directional albedo; pdf: density of wi, 1/sr, what ndl_pdf(m, wi, wo) returns, bit for bit.
+   Domain:   u: three numbers in [0, 1), the float below 1 included. wo.z <= 0: all is 0.
+             A direction that falls below the horizon is no sample. wi is a unit vector to 1e-6. */
+NDL_API ndl_sample ndl_draw(const ndl_material *m, ndl_vec3 wo, ndl_vec3 u);
+
+/* The density, 1/sr, with which ndl_draw draws wi for wo; 0 unless wi.z > 0 and wo.z > 0. Over all
+   wi it adds up to 1 less the share of draws that give no sample.
+   Accuracy: as ndl_brdf. */
+NDL_API float ndl_pdf(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo);
+
+/* f_r(wi, wo) wi.z and the density, at once, as multiple importance sampling needs them. */
+NDL_API ndl_rgb ndl_brdf_cos_pdf(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo, float *pdf);
+
+/* The same for n directions; bit for bit what n scalar calls give. No output may overlap an input,
+   but pdf of ndl_pdf_n may be one of the inputs' arrays. */
+NDL_API void ndl_draw_n(const ndl_material *m, size_t n, ndl_vec3_n wo, ndl_vec3_n u,
+                        ndl_vec3_out wi, ndl_rgb_n weight, float *pdf);
+NDL_API void ndl_pdf_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo, float *pdf);
+NDL_API void ndl_brdf_cos_pdf_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo,
+                                ndl_rgb_n rgb, float *pdf);
 
 /* ---- registry ---------------------------------------------------------------------------------- */
 

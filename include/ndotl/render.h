@@ -32,7 +32,7 @@
 extern "C" {
 #endif
 
-/* ---- scenes ------------------------------------------------------------------------------------ */
+/* ---- scenes ---------------------------------------------------------------------------------- */
 
 /* A mesh with materials, lights and a camera. */
 typedef struct ndl_scene ndl_scene;
@@ -60,7 +60,7 @@ typedef struct { const char *mesh, *node, *material; } ndl_part_names;
 NDL_API ndl_part_names ndl_scene_part(const ndl_scene *scene, size_t i);
 
 /* Gives `m` to every part whose mesh, node or material has that name, or to all with NULL. The
-   scene refers to m, which must live until the scene is released or the part gets another.
+   scene refers to m, which must live as long as the scene is rendered with it.
    Errors:   NDL_E_UNKNOWN_NAME: no part of that name; the text lists them. */
 NDL_API int ndl_scene_set_material(ndl_scene *scene, const char *name, const ndl_material *m,
                                    ndl_error *err);
@@ -77,7 +77,7 @@ NDL_API int ndl_scene_add_light(ndl_scene *scene, const char *text, ndl_error *e
    What is left out frames the bounding sphere. Errors: those of expressions, with the column. */
 NDL_API int ndl_scene_set_camera(ndl_scene *scene, const char *text, ndl_error *err);
 
-/* ---- pictures ---------------------------------------------------------------------------------- */
+/* ---- pictures -------------------------------------------------------------------------------- */
 
 /* Linear Rec.709, three floats a pixel, rows from the top. */
 typedef struct {
@@ -95,7 +95,7 @@ NDL_API void ndl_image_free(ndl_image *image);
 typedef enum {
     NDL_SHOW_RADIANCE,
     NDL_SHOW_WI, NDL_SHOW_WO, NDL_SHOW_NORMAL, NDL_SHOW_TANGENT, NDL_SHOW_POSITION, NDL_SHOW_UV,
-    NDL_SHOW_ALBEDO, /* directional albedo at wo, to 1e-3 */
+    NDL_SHOW_ALBEDO, /* directional albedo at wo, to 1e-4 */
     NDL_SHOW_D, NDL_SHOW_G, NDL_SHOW_V, NDL_SHOW_F
 } ndl_show;
 

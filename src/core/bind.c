@@ -155,15 +155,20 @@ static bool check_choice(nd_binding *b, const nd_arg *arg, int at) {
                    quoted, "'; it is one of: ", p->words, NULL);
 }
 
+static bool check_ramp(const nd_binding *b, const nd_arg *arg) {
+    if (arg->value.kind != ND_RAMP) return wrong_type(b, arg, "a ramp, as in [0: 0.2, 1: 0.8]");
+    if (arg->value.stops <= TABLE1_STOPS) return true;
+    return nd_fail(b->error, NDL_E_RANGE, arg->value.column, "'", arg->key,
+                   "' may have 4096 stops at most; drop some", NULL);
+}
+
 static bool check(nd_binding *b, const nd_arg *arg, int at, bool degrees) {
     const ndl_param *p = &b->schema->params[at];
     switch (p->kind) {
     case NDL_KIND_NUMBER: return check_number(b, arg, p, degrees);
     case NDL_KIND_COLOR: return check_color(b, arg, p);
     case NDL_KIND_CHOICE: return check_choice(b, arg, at);
-    case NDL_KIND_RAMP:
-        return arg->value.kind == ND_RAMP ? true
-                                          : wrong_type(b, arg, "a ramp, as in [0: 0.2, 1: 0.8]");
+    case NDL_KIND_RAMP: return check_ramp(b, arg);
     case NDL_KIND_WORD: return arg->value.kind == ND_WORD ? true : wrong_type(b, arg, "a name");
     case NDL_KIND_VECTOR:
         return arg->value.kind == ND_TRIPLE ? true : wrong_type(b, arg, "three numbers [x, y, z]");

@@ -302,8 +302,8 @@ int ndl_convert(const ndl_known *known, size_t count, const char *key, float *to
     solve(&s);
     if (s.outside[wanted]) return out_of_range(wanted, s.value[wanted], "would be", error);
     if (!s.known[wanted]) {
-        nd_fail(error, NDL_E_UNSUPPORTED, 0, "'", key, "' does not follow from what is given; give ",
-                all[wanted].from, NULL);
+        nd_fail(error, NDL_E_UNSUPPORTED, 0, "'", key,
+                "' does not follow from what is given; give ", all[wanted].from, NULL);
         return NDL_E_UNSUPPORTED;
     }
     *to = s.value[wanted];

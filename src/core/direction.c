@@ -25,7 +25,9 @@ double ndl_direction(double x, double y, double z, ndl_vec3 *to) {
     return length * scale;
 }
 
-typedef struct { double sine, cosine; } turn;
+typedef struct {
+    double sine, cosine;
+} turn;
 
 /* Sine and cosine of an angle in degrees: exact reduction first, so 90 degrees has cosine 0. */
 static turn turn_of(double degrees) {
@@ -33,10 +35,14 @@ static turn turn_of(double degrees) {
     double rest = (fmod(degrees, 360.0) - 90.0 * quarters) * (3.14159265358979323846 / 180.0);
     double s = sin(rest), c = cos(rest);
     switch ((int)quarters & 3) {
-    case 0: return (turn){s, c};
-    case 1: return (turn){c, -s};
-    case 2: return (turn){-s, -c};
-    default: return (turn){-c, s};
+    case 0:
+        return (turn){s, c};
+    case 1:
+        return (turn){c, -s};
+    case 2:
+        return (turn){-s, -c};
+    default:
+        return (turn){-c, s};
     }
 }
 
@@ -44,5 +50,7 @@ double ndl_direction_deg(double theta_deg, double phi_deg, ndl_vec3 *to) {
     *to = (ndl_vec3){0.0f, 0.0f, 0.0f};
     if (!isfinite(theta_deg) || !isfinite(phi_deg)) return (double)NAN;
     turn theta = turn_of(theta_deg), phi = turn_of(phi_deg);
-    return ndl_direction(theta.sine * phi.cosine, theta.sine * phi.sine, theta.cosine, to);
+    /* Adding 0 turns -0 into 0. */
+    return ndl_direction(theta.sine * phi.cosine + 0.0, theta.sine * phi.sine + 0.0,
+                         theta.cosine + 0.0, to);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Which kernel table is used: the best one that this machine runs, or the one asked for. */
+/* Which kernel tables are used: the best ones that this machine runs, or those asked for. */
 #include "base/error.h"
-#include "core/kernels.h"
+#include "core/draw.h"
 
 #include <stdatomic.h>
 #include <string.h>
@@ -11,8 +11,10 @@ static bool always(void) {
 }
 
 extern const nd_kernel_table nd_kernels_scalar;
+extern const nd_draw_table nd_draws_scalar;
 #if defined(__x86_64__)
 extern const nd_kernel_table nd_kernels_x86_64, nd_kernels_v3, nd_kernels_v4;
+extern const nd_draw_table nd_draws_x86_64, nd_draws_v3, nd_draws_v4;
 
 /* The levels of the x86-64 psABI, by the features that compilers use of them. */
 static bool has_v3(void) {
@@ -28,21 +30,23 @@ static bool has_v4(void) {
 }
 #elif defined(__aarch64__)
 extern const nd_kernel_table nd_kernels_neon;
+extern const nd_draw_table nd_draws_neon;
 #endif
 
 /* From the plainest to the widest: the last one that runs is the best. */
 static const struct {
     const char *name;
     const nd_kernel_table *table;
+    const nd_draw_table *draws;
     bool (*runs)(void);
 } TABLES[] = {
-    {"scalar", &nd_kernels_scalar, always},
+    {"scalar", &nd_kernels_scalar, &nd_draws_scalar, always},
 #if defined(__x86_64__)
-    {"x86-64", &nd_kernels_x86_64, always},
-    {"x86-64-v3", &nd_kernels_v3, has_v3},
-    {"x86-64-v4", &nd_kernels_v4, has_v4},
+    {"x86-64", &nd_kernels_x86_64, &nd_draws_x86_64, always},
+    {"x86-64-v3", &nd_kernels_v3, &nd_draws_v3, has_v3},
+    {"x86-64-v4", &nd_kernels_v4, &nd_draws_v4, has_v4},
 #elif defined(__aarch64__)
-    {"neon", &nd_kernels_neon, always},
+    {"neon", &nd_kernels_neon, &nd_draws_neon, always},
 #endif
 };
 enum { COUNT = sizeof TABLES / sizeof *TABLES };
@@ -68,6 +72,10 @@ static int present(void) {
 
 const nd_kernel_table *nd_kernels(void) {
     return TABLES[present()].table;
+}
+
+const nd_draw_table *nd_draws(void) {
+    return TABLES[present()].draws;
 }
 
 const char *ndl_isa(void) {

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "core/draw.h"
 #include "core/models.h"
 #include "core/print.h"
 
@@ -107,6 +108,7 @@ ndl_material *nd_material_finish(ndl_material *m, ndl_error *error) {
             return NULL;
         }
     }
+    nd_share_draws(m);
     m->text = nd_print_text(m);
     m->json = nd_print_json(m);
     if (m->text && m->json) return m;

@@ -13,6 +13,7 @@ typedef struct {
     nd_call call;    /* as written, for printing and for changed copies */
     void *fields;    /* struct <model>_p of the shading text */
     float weight[3];
+    float share[2];  /* in a sum, drawn with odds share[0] + share[1] (1 - wo.z)^5 (draw.c) */
     int kernel;      /* ND_KERNEL_..., for models that are not composed */
     nd_facet facet;  /* for those that are */
     unsigned traits; /* NDL_CLAIM_... and ND_TRAIT_... */

@@ -12,9 +12,11 @@
 
 static const char TWO_WIDTHS[] = "both give the width; keep one";
 
+/* A key that does not belong here is at fault itself, a number out of range is where it stands. */
 static bool fail_at(nd_binding *b, const char *key, int code, const char *why) {
     const nd_arg *arg = nd_given(b, key);
-    return nd_fail(b->error, code, arg->column, "'", arg->key, "' ", why, NULL);
+    int column = code == NDL_E_RANGE ? arg->value.column : arg->column;
+    return nd_fail(b->error, code, column, "'", arg->key, "' ", why, NULL);
 }
 
 /* A width that a conversion has taken out of range acts as the range's end. */

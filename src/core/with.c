@@ -46,6 +46,13 @@ static void drop(nd_call *c, const char *key) {
     }
 }
 
+/* Drops the argument of a parameter, in whichever unit it was given. */
+static void drop_parameter(nd_call *c, const nd_schema *s, int param) {
+    bool degrees;
+    for (int i = c->arg_count; i-- > 0;)
+        if (nd_key(s, c->args[i].key, &degrees) == param) drop(c, c->args[i].key);
+}
+
 bool nd_parameter_path(const char *path, size_t *lobe, char *key, size_t room, int *channel) {
     *lobe = 0;
     if (path[0] >= '0' && path[0] <= '9') {
@@ -174,8 +181,7 @@ ndl_material *ndl_material_with(const ndl_material *m, const char *key, double v
     nd_call *c = &copy->lobes[at].call;
     bool degrees;
     const nd_schema *s = m->lobes[at].model->schema();
-    drop(c, s->params[nd_key(s, name, &degrees)].key);
-    drop(c, arg.key);
+    drop_parameter(c, s, nd_key(s, name, &degrees));
     c->args[c->arg_count++] = arg;
     if (!settle(c, &m->lobes[at], arg.key, &copy->arena, error)) {
         ndl_material_free(copy);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 OR MIT-0 */
 #ifndef ND_SHADE_BLINN_PHONG_H
 #define ND_SHADE_BLINN_PHONG_H
-#include "shade/halfway.h"
+#include "shade/sampling.h"
 
 #define BLINN_PHONG_WORDS "lecture normalized normalized_exact"
 
@@ -34,6 +34,9 @@
                   "cosine is 1. S4 has no test of the horizon: wo = n and light at 100 degrees "   \
                   "give n.h = .643. (p + 2)/(2 pi) normalises the distribution of microfacets, "   \
                   "not this: microfacet(ndf=blinn).")                                              \
+    M(SAMPLING,                                                                                    \
+      "Half vectors by (g + 1)/(2 pi) c^g, pdf = that/(4 VoH); directions below the horizon "      \
+      "are no sample.")                                                                            \
     M(SOURCE, "[Blinn77], [Akenine18]; formulas S4.24, S4.25, S4.41, S4.55")
 
 STRUCT(blinn_phong_p) {
@@ -82,6 +85,19 @@ FN vec3 blinn_phong_normalized_exact_brdf(blinn_phong_p p, vec3 wi, vec3 wo) {
 FN vec3 blinn_phong_normalized_exact_brdf_cos(blinn_phong_p p, vec3 wi, vec3 wo) {
     num f = blinn_phong_exact_lobe(p.exponent, wi, wo) * wi.z;
     return gated(lit(wi, wo), v3_scale(p.color, f));
+}
+
+/* A half vector with density (g + 1)/(2 pi) NoH^g, which mirrors wo. What falls below the horizon
+   is no sample. Source: [Ashikhmin00]. */
+FN vec3 blinn_phong_sample(blinn_phong_p p, vec3 wo, vec3 u) {
+    num t2 = tangent2_of_power(u.x, 1.0f / (p.exponent + 1.0f));
+    return if_seen(wo, mirrored_at(wo, normal_at(t2, u)));
+}
+
+/* (g + 1)/(2 pi) NoH^g/(4 VoH), 1/sr. */
+FN num blinn_phong_pdf(blinn_phong_p p, vec3 wi, vec3 wo) {
+    num d = (p.exponent + 1.0f) * (0.125f * INV_PI) * blinn_phong_lobe(p.exponent, wi, wo);
+    return sel(lit(wi, wo), storable(d / max_(halfway_of(wi, wo).cosine, SMALLEST)), 0.0f);
 }
 
 #endif

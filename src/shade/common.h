@@ -13,7 +13,7 @@
 #define ALPHA_FLOOR NUM(0.001) /* a perfectly smooth microfacet surface is not a function */
 
 /* True where light arrives and the viewer sees it: both directions above the horizon.
-   Outside, every value of every model is exactly 0. */
+   Outside, every value of every model is exactly 0. Source: formulas S4.11, S4.15, S4.39. */
 FN cond lit(vec3 wi, vec3 wo) {
     return both(wi.z > 0.0f, wo.z > 0.0f);
 }
@@ -26,11 +26,12 @@ FN num storable(num x) {
 /* The last step of every model: f where `on`, exactly 0 elsewhere, never NaN or negative, and
    FLT_MAX where f overflows. */
 FN vec3 gated(cond on, vec3 f) {
-    return v3(sel(on, storable(f.x), 0.0f), sel(on, storable(f.y), 0.0f), sel(on, storable(f.z), 0.0f));
+    return v3(sel(on, storable(f.x), 0.0f), sel(on, storable(f.y), 0.0f),
+              sel(on, storable(f.z), 0.0f));
 }
 
-/* sin^2 of the polar angle of a unit vector, from the tangent components: 1 - z^2 would cancel
-   near the normal. */
+/* sin^2 of the polar angle of a unit vector, from the tangent components: the 1 - z^2 of S1.1
+   would cancel near the normal. */
 FN num sin2_theta(vec3 w) {
     return w.x * w.x + w.y * w.y;
 }

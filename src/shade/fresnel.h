@@ -24,46 +24,48 @@
     P(SPELL_WORD, preset, fresnel, "a metal (sets eta, k) or a dielectric (sets ior) by name")     \
     P(GROUP, fresnel)
 
-/* T(word, what, formula, notes, source) */
-#define FRESNEL_MANUAL(T)                                                                          \
-    T(none, "The same reflectance at every angle.", "F = f0", "", "[Karis13b]; S3.18")             \
-    T(schlick, "Schlick's approximation from f0; the default.", "F = f0 + (1 - f0)(1 - VoH)^5",    \
-      "Rises for every material; real metals dip first: aluminium at 650 nm has F0 = .9115 and "   \
-      "its minimum .834 at VoH = .13, where Schlick is .124 too high (.193 for chromium, .022 "    \
-      "for copper). The angle is the one to the half vector, not to the normal as S2's text says " \
-      "(S2.6). f0 of two indices is ((n1 - n2)/(n1 + n2))^2 = .04 for 1 and 1.5; S2.5 can be "     \
-      "misread with the square on the denominator only, -.08. S2's code mixes f0 by roughness "    \
-      "where its text says metalness (S2.8): dielectric .04, base .8, metalness 0, roughness .9 "  \
-      "gives .724 instead of .04; not offered.",                                                   \
+/* T(M, word, what, formula, notes, source); M is what T makes a section with. */
+#define FRESNEL_MANUAL(T, M)                                                                       \
+    T(M, none, "The same reflectance at every angle.", "F = f0", "", "[Karis13b]; S3.18")          \
+    T(M, schlick, "Schlick's approximation from f0; the default.", "F = f0 + (1 - f0)(1 - VoH)^5", \
+      "Rises for every material; real metals dip first: aluminium (eta 1.49, k 7.82) has F0 = "    \
+      ".9115 and its minimum .834 at VoH = .13, where Schlick is .12 too high (up to .19 for "     \
+      "chromium, .024 for copper at 650 nm). The angle is the one to the half vector, not to the " \
+      "normal as S2's text says (S2.6). f0 of two indices is ((n1 - n2)/(n1 + n2))^2 = .04 for 1 " \
+      "and 1.5; S2.5 can be misread with the square on the denominator only, -.08. S2's code "     \
+      "mixes f0 by roughness where its text says metalness (S2.8): dielectric .04, base .8, "      \
+      "metalness 0, roughness .9 gives .724 instead of .04; not offered.",                         \
       "[Schlick94]; S2.4, S2.5, S2.9, S3.19, S4.49")                                               \
-    T(cook_torrance, "Exact unpolarised Fresnel of the dielectric that has this f0.",              \
+    T(M, cook_torrance, "Exact unpolarised Fresnel of the dielectric that has this f0.",           \
       "eta = (1 + sqrt f0)/(1 - sqrt f0), g^2 = eta^2 + VoH^2 - 1, c = VoH: "                      \
       "F = (1/2) ((g - c)/(g + c))^2 (1 + (((g + c) c - 1)/((g - c) c + 1))^2)",                   \
       "The printed form divides by 0 at f0 = 1, where F is 1, and is 0/0 at f0 = 0, c = 0, "       \
       "where F is 0. Meant for dielectrics: at f0 = .04 it stays within .036 of Schlick, at "      \
-      "f0 = .95 they differ by up to .49.",                                                        \
+      "f0 = .95 they differ by up to .50.",                                                        \
       "[CookTorrance82]; S3.20")                                                                   \
-    T(dielectric, "Exact unpolarised Fresnel of a dielectric, seen from either side.",             \
+    T(M, dielectric, "Exact unpolarised Fresnel of a dielectric, seen from either side.",          \
       "Rs = ((a - c)/(a + c))^2, Rp = Rs ((a c - s2)/(a c + s2))^2, F = (Rs + Rp)/2 with "         \
       "c = VoH, s2 = 1 - c^2, a = sqrt(ior^2 - s2); F = 1 where ior^2 <= s2",                      \
       "ior = 1 reflects nothing.", "[BornWolf99]; S3.20")                                          \
-    T(conductor, "Exact unpolarised Fresnel of a conductor, per channel.",                         \
+    T(M, conductor, "Exact unpolarised Fresnel of a conductor, per channel.",                      \
       "2 a^2 = sqrt(t^2 + 4 eta^2 k^2) + t, b = eta k/a with t = eta^2 - k^2 - s2; "               \
       "Rs = ((a - c)^2 + b^2)/((a + c)^2 + b^2), "                                                 \
       "Rp = Rs ((a c - s2)^2 + b^2 c^2)/((a c + s2)^2 + b^2 c^2), F = (Rs + Rp)/2",                \
       "The extended version that S4 leaves out (S4.50). Presets reproduce the colour that the "    \
-      "measured spectrum has under D65; gold's red reflectance comes out above 1 there and is "    \
-      "cut to .999.",                                                                              \
+      "measured spectrum has under D65, at normal incidence and at 82 degrees: averaged n and k "  \
+      "would give another one (gold .990 .805 .358 instead of .999 .728 .365). Gold's red "        \
+      "reflectance is above 1 there, 1.038, and is cut to .999.",                                  \
       "[BornWolf99]; S4.50")
 
-/* (1 - c)^5. Domain: c in [0, 1]. */
+/* (1 - c)^5, one factor for all channels. Domain: c in [0, 1]. Source: formulas S2.9. */
 FN num schlick_weight(num c) {
     num m = 1.0f - c;
     num m2 = m * m;
     return m2 * m2 * m;
 }
 
-/* Schlick's reflectance. Domain: f0 in [0, 1]. Source: [Schlick94]. */
+/* Schlick's reflectance. Domain: f0 in [0, 1]. Source: [Schlick94], formulas S2.4, S3.18, S3.19,
+   S4.49. */
 FN vec3 fresnel_schlick(vec3 f0, num c) {
     num w = schlick_weight(c);
     return v3(f0.x + (1.0f - f0.x) * w, f0.y + (1.0f - f0.y) * w, f0.z + (1.0f - f0.z) * w);
@@ -109,27 +111,32 @@ FN vec3 fresnel_dielectric(num ior, num c) {
     return v3_splat(sel(a2 >= 0.0f, f, 1.0f));
 }
 
-/* One channel of fresnel_conductor. Of a^2 and b^2 the larger is formed by adding, the smaller
-   from their product (eta k)^2: neither cancels. */
+/* One channel of fresnel_conductor. With a + ib the root of eta^2 - k^2 - s2 + 2i eta k, the larger
+   of a^2 and b^2 is l2 = (q + |t|)/2, formed by adding, and the smaller is (eta k)^2/l2: neither
+   cancels. Everything is taken times l2, so that u = l a and v = l b need no division. l2 is kept
+   off 0, where a = b = 0 and all is reflected. eta^2 - s2 has two forms: one keeps its digits near
+   eta = 1, where F vanishes, the other for small eta, where total reflection begins. */
 FN num conductor_channel(num eta, num k, num c) {
-    num t = (eta - 1.0f) * (eta + 1.0f) - k * k + c * c;
-    num ek2 = sq_(eta * k);
-    num larger = 0.5f * (sqrt_(t * t + 4.0f * ek2) + abs_(t));
-    num smaller = ek2 / max_(larger, SMALLEST);
-    num a2 = sel(t >= 0.0f, larger, smaller);
-    num b2 = sel(t >= 0.0f, smaller, larger);
-    num a = sqrt_(a2);
     num s2 = (1.0f - c) * (1.0f + c);
-    num b2c2 = b2 * c * c;
-    num pn = sq_(a * c - s2) + b2c2 + SMALLEST; /* 0/0 counts as 1: Rp = Rs where a = s2 = 0 */
-    num pd = sq_(a * c + s2) + b2c2 + SMALLEST;
-    num rn = sq_(a - c) + b2;
-    num rd = sq_(a + c) + b2;
-    return min_(rn * (pd + pn) / max_(2.0f * rd * pd, SMALLEST), 1.0f);
+    num t = sel(eta < 0.5f, eta * eta - s2, (eta - 1.0f) * (eta + 1.0f) + c * c) - k * k;
+    num ek = eta * k;
+    num q = sqrt_(t * t + 4.0f * (ek * ek));
+    num l2 = max_(0.5f * (q + abs_(t)), NUM(1e-12));
+    num l = sqrt_(l2);
+    num u = sel(t >= 0.0f, l2, ek);
+    num v = sel(t >= 0.0f, ek, l2);
+    num v2 = v * v;
+    num v2c2 = v2 * (c * c);
+    num sn = sq_(u - c * l) + v2;
+    num sd = sq_(u + c * l) + v2;
+    num pn = sq_(u * c - s2 * l) + v2c2 + SMALLEST; /* 0/0 counts as 1: Rp = Rs where s2 = 0 */
+    num pd = sq_(u * c + s2 * l) + v2c2 + SMALLEST;
+    return min_(sn * (pd + pn) / max_(2.0f * sd * pd, SMALLEST), 1.0f);
 }
 
 /* Exact unpolarised reflectance of a conductor, per channel; k = 0 is the exact dielectric, total
-   reflection included. Domain: eta in (0, 1e4], k in [0, 1e4]. Source: [BornWolf99]. */
+   reflection included. Domain: eta in (0, 1e4], k in [0, 1e4]. Source: [BornWolf99], formulas S2.6,
+   S4.50. */
 FN vec3 fresnel_conductor(vec3 eta, vec3 k, num c) {
     return v3(conductor_channel(eta.x, k.x, c), conductor_channel(eta.y, k.y, c),
               conductor_channel(eta.z, k.z, c));

@@ -51,7 +51,8 @@ FN vec3 reflect_about_normal(vec3 w) {
     return v3(-w.x, -w.y, w.z);
 }
 
-/* Cosine between the viewer and the mirrored light, wo . reflect_about_normal(wi), in [-1, 1]. */
+/* Cosine between the viewer and the mirrored light, wo . reflect_about_normal(wi), in [-1, 1];
+   wo leaves the surface (S4.17). */
 FN num mirror_cosine(vec3 wi, vec3 wo) {
     return wi.z * wo.z - wi.x * wo.x - wi.y * wo.y;
 }

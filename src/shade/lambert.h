@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 OR MIT-0 */
 #ifndef ND_SHADE_LAMBERT_H
 #define ND_SHADE_LAMBERT_H
-#include "shade/common.h"
+#include "shade/sampling.h"
 
 #define LAMBERT_PARAMS(P)                                                                          \
     P(RGB, color, 0.0, 1.0, 0.8, "1",                                                              \
@@ -18,7 +18,8 @@
     M(DEPARTURES, "S4.8 and S4.12 write f = rho without 1/pi, and with the cosine inside: such a " \
                   "surface would reflect pi times what arrives. That quantity is "                 \
                   "--convention scanline.")                                                        \
-    M(SOURCE, "[Lambert1760]; formulas S2.3, S4.8, S4.12, S4.13")
+    M(SAMPLING, "Directions by the cosine, pdf = NoL/pi: every sample weighs the same.")           \
+    M(SOURCE, "[Lambert1760]; formulas S2.3, S4.8 to S4.14")
 
 STRUCT(lambert_p) {
     LAMBERT_PARAMS(FIELD)
@@ -33,6 +34,14 @@ FN vec3 lambert_brdf(lambert_p p, vec3 wi, vec3 wo) {
 /* lambert_brdf times the cosine of wi, 1/sr. */
 FN vec3 lambert_brdf_cos(lambert_p p, vec3 wi, vec3 wo) {
     return gated(lit(wi, wo), v3_scale(p.color, INV_PI * wi.z));
+}
+
+/* The cosine's density: no sample is lost. */
+FN vec3 lambert_sample(lambert_p p, vec3 wo, vec3 u) {
+    return cosine_sample(wo, u);
+}
+FN num lambert_pdf(lambert_p p, vec3 wi, vec3 wo) {
+    return cosine_pdf(wi, wo);
 }
 
 #endif

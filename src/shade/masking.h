@@ -15,65 +15,68 @@
     T(neumann) T(cook_torrance) T(kelemen) T(smith) T(smith_correlated) T(smith_walter)            \
         T(schlick_beckmann) T(schlick_ggx) T(schlick_direct)
 
-/* T(word, what, formula, notes, source) */
-#define MASKING_MANUAL(T)                                                                          \
-    T(none, "Nothing is hidden: S1's eq. (3) with Beckmann.", "G = 1",                             \
+/* T(M, word, what, formula, notes, source); M is what T makes a section with. */
+#define MASKING_MANUAL(T, M)                                                                       \
+    T(M, none, "Nothing is hidden: S1's eq. (3) with Beckmann.", "G = 1",                          \
       "Gains energy without bound towards the horizon: E with GGX, F = 1 at NoV = .1 and .01 is "  \
       "1.16 and 5.51 (alpha .1), 2.90 and 25.4 (.5), 5.00 and 50.0 (1); at alpha = 1 exactly "     \
       "1/(2 NoV).",                                                                                \
       "S1.2, S1.13, S2.14")                                                                        \
-    T(implicit, "The cosines themselves, so V = 1/4.", "G = NoL NoV",                              \
+    T(M, implicit, "The cosines themselves, so V = 1/4.", "G = NoL NoV",                           \
       "Ignores roughness and is far too dark: E with GGX, alpha .1 is .930 .258 .035 .020 at "     \
       "NoV = 1 .5 .1 .01.",                                                                        \
       "[Karis13b]; S3.8")                                                                          \
-    T(neumann, "The smaller cosine.", "G = NoL NoV / max(NoL, NoV) = min(NoL, NoV)",               \
+    T(M, neumann, "The smaller cosine.", "G = NoL NoV / max(NoL, NoV) = min(NoL, NoV)",            \
       "Dark: E with GGX, alpha .1 is .930 .443 .109 .055 at NoV = 1 .5 .1 .01. As G looks at no "  \
       "width, it gains for very wide ones: E at the horizon is alpha/2 with GGX, 2 at alpha 4, "   \
       "and 1.14 with Beckmann there; none up to alpha 2.",                                         \
       "[Neumann99]; S3.9")                                                                         \
-    T(cook_torrance, "V-shaped grooves (Torrance and Sparrow; Blinn; Cook and Torrance).",         \
+    T(M, cook_torrance, "V-shaped grooves (Torrance and Sparrow; Blinn; Cook and Torrance).",      \
       "G = min(1, 2 NoH NoV / VoH, 2 NoH NoL / VoH)",                                              \
       "E <= 1. As printed it is negative for a light below the horizon (-.336 at NoL = -.1, "      \
       "NoV = .9); here everything is 0 there.",                                                    \
       "[CookTorrance82], [Blinn77]; S3.10, S4.51")                                                 \
-    T(kelemen, "Kelemen and Szirmay-Kalos: V = 1/|wi + wo|^2.", "G = NoL NoV / VoH^2",             \
+    T(M, kelemen, "Kelemen and Szirmay-Kalos: V = 1/|wi + wo|^2.", "G = NoL NoV / VoH^2",          \
       "G <= 1 and E <= 1, whatever the roughness. Times Beckmann's D it is ward's default.",       \
       "[Kelemen01]; S3.11, S1.14")                                                                 \
-    T(smith, "Smith, separable: light and viewer hidden independently.",                           \
+    T(M, smith, "Smith, separable: light and viewer hidden independently.",                        \
       "G = G1(wi) G1(wo), G1 = 1/(1 + Lambda) of the ndf. GGX: G1(w) = 2 wz / (wz + l(w)), "       \
       "l^2 = alpha_x^2 wx^2 + alpha_y^2 wy^2 + wz^2. Beckmann, a = wz/(alpha sin): "               \
       "G1 = 2 / (1 + erf(a) + exp(-a^2)/(a sqrt(pi)))",                                            \
       "S3's 1/(G_V G_L) is exactly this V for GGX. Up to .090 below the correlated form, V up to " \
       "13 times (alpha .5, NoL = NoV = .01). With ndf=blinn, which takes Beckmann's Lambda, it "   \
-      "gains energy: E = 1.060 (alpha .5, NoV .01), 1.137 and 1.321 (alpha 1, NoV .1 and .01); "   \
-      "off the exact masking of that ndf by .0014 .014 .039 .119 .212 at alpha .1 .3 .5 .8 1.",    \
+      "gains energy: E = 1.060 (alpha .5, NoV .01), 1.137, 1.321 and 1.344 (alpha 1, NoV .1, .01 " \
+      "and 0); off the exact masking of that ndf by up to .0015 .014 .040 .119 .219 at alpha .1 "  \
+      ".3 .5 .8 1.",                                                                               \
       "[Smith67], [Walter07], [Heitz14]; S3.12, S3.14, S3.15, S3.21, S4.52")                       \
-    T(smith_correlated, "Smith, height-correlated: what sticks out is seen by both; the default.", \
+    T(M, smith_correlated,                                                                         \
+      "Smith, height-correlated: what sticks out is seen by both; the default.",                   \
       "G = 1 / (1 + Lambda(wi) + Lambda(wo)); GGX: Lambda = (l(w)/wz - 1)/2, "                     \
-      "V = 1 / (2 (wo.z l(wi) + wi.z l(wo)))",                                                     \
+      "V = 1 / (2 (wo.z l(wi) + wi.z l(wo))), l as in smith",                                      \
       "S1 prints the letters Lambda_L, Lambda_V twice: put into 1/(1 + L + V), the second pair "   \
-      "gives .537 instead of .929 (NoL .5, NoV .8, alpha .3). With ndf=blinn E reaches 1.69 "      \
-      "(alpha 1, NoV .01).",                                                                       \
+      "gives .537 instead of .929 (NoL .5, NoV .8, alpha .3). With ndf=blinn E is 1.69 at alpha "  \
+      "1, NoV .01, and 1.77 at the horizon.",                                                      \
       "[Heitz14] eq. 99; S1.8, S1.9, S1.10, S1.11, S1.12")                                         \
-    T(smith_walter, "Walter's rational fit of Beckmann's G1, separable, whatever the ndf.",        \
+    T(M, smith_walter, "Walter's rational fit of Beckmann's G1, separable, whatever the ndf.",     \
       "c = wz/(alpha sin): G1 = (3.535 c + 2.181 c^2)/(1 + 2.276 c + 2.577 c^2) if c < 1.6, "      \
       "else 1; cut to 1",                                                                          \
       "Within .313 % of the exact form, whose value at 1.6 is .9982. The printed fit exceeds 1 "   \
       "from c = 1.548133 (at most 1.0000613, at 1.58884) and jumps by -5.7e-5 at 1.6; the cut "    \
       "makes it continuous. It is Beckmann's: with ndf=ggx, whose wide slopes it hides too "       \
-      "little, E reaches 1.73 at the horizon, with ndf=blinn 1.34 (alpha 1).",                     \
+      "little, E reaches 1.74 at the horizon (alpha .03; 1.34 at alpha 1), with ndf=blinn 1.34 "   \
+      "(alpha 1).",                                                                                \
       "[Walter07]; S3.13")                                                                         \
-    T(schlick_beckmann, "Schlick's rational form with his k.",                                     \
+    T(M, schlick_beckmann, "Schlick's rational form with his k.",                                  \
       "G1 = wz / (wz (1 - k) + k), k = alpha sqrt(2/pi)",                                          \
       "Approximates another function than Smith's: the slope at the horizon is 1.2533 instead of " \
       "3.5449, 2 sqrt(2) too dark; off by .44 (alpha .1) to .34 (1). A matched k is "              \
       "alpha/(2 sqrt(pi)).",                                                                       \
       "[Schlick94]; S3.16")                                                                        \
-    T(schlick_ggx, "Schlick's rational form matched to GGX, for image-based light.",               \
+    T(M, schlick_ggx, "Schlick's rational form matched to GGX, for image-based light.",            \
       "G1 = wz / (wz (1 - k) + k), k = alpha/2",                                                   \
       "Exact at alpha = 1, else off by up to .161 (alpha .01), .109 (.25), .066 (.5).",            \
       "[Karis13]; S3.17, S2.18")                                                                   \
-    T(schlick_direct, "Schlick's rational form with the k for direct light, S2's own.",            \
+    T(M, schlick_direct, "Schlick's rational form with the k for direct light, S2's own.",         \
       "G1 = wz / (wz (1 - k) + k), k = (roughness + 1)^2 / 8",                                     \
       "roughness as given, or sqrt(alpha) if only alpha is known. k is never below 1/8, so a "     \
       "mirror loses light: G1(.1) = .47. With roughness_map=direct, where alpha is the roughness " \
@@ -99,7 +102,7 @@ FN visibility visibility_of(num n, num d, vec3 wi) {
     return v;
 }
 
-/* G = 1. */
+/* G = 1. Source: formulas S1.13, S2.14. */
 FN visibility masking_none(vec3 wi, vec3 wo) {
     visibility v;
     v.n = 1.0f;
@@ -109,18 +112,18 @@ FN visibility masking_none(vec3 wi, vec3 wo) {
     return v;
 }
 
-/* V = 1/4. Source: [Karis13b]. */
+/* V = 1/4. Source: [Karis13b], formulas S3.8. */
 FN visibility masking_implicit(vec3 wi) {
     return visibility_of(NUM(0.25), NUM(1.0), wi);
 }
 
-/* V = 1/(4 max(NoL, NoV)). Source: [Neumann99]. */
+/* V = 1/(4 max(NoL, NoV)). Source: [Neumann99], formulas S3.9. */
 FN visibility masking_neumann(vec3 wi, vec3 wo) {
     return visibility_of(NUM(1.0), 4.0f * max_(wi.z, wo.z), wi);
 }
 
 /* Grooves of V shape. In the unnormalised h: G = min(h.h, 4 h.z NoV, 4 h.z NoL)/h.h.
-   Source: [CookTorrance82]. */
+   Source: [CookTorrance82], formulas S3.10, S4.51, S4.56. */
 FN visibility masking_cook_torrance(vec3 wi, vec3 wo, halfway m) {
     visibility v;
     v.n = min_(m.hh, 4.0f * (m.h.z * m.scale) * min_(wi.z, wo.z));
@@ -130,24 +133,27 @@ FN visibility masking_cook_torrance(vec3 wi, vec3 wo, halfway m) {
     return v;
 }
 
-/* V = 1/|wi + wo|^2. Source: [Kelemen01]. */
+/* V = 1/|wi + wo|^2. Source: [Kelemen01], formulas S3.11. */
 FN visibility masking_kelemen(vec3 wi, halfway m) {
     return visibility_of(m.scale * m.scale, m.hh, wi);
 }
 
-/* l(w) = sqrt(alpha_x^2 wx^2 + alpha_y^2 wy^2 + wz^2), so that GGX's Lambda is (l/wz - 1)/2. */
+/* l(w) = sqrt(alpha_x^2 wx^2 + alpha_y^2 wy^2 + wz^2), so that GGX's Lambda is (l/wz - 1)/2.
+   Source: formulas S1.8, S1.10, S3.15. */
 FN num ggx_length(num alpha_x, num alpha_y, vec3 w) {
     return sqrt_(sq_(alpha_x * w.x) + sq_(alpha_y * w.y) + w.z * w.z);
 }
 
-/* V = 1/((NoL + l(wi)) (NoV + l(wo))): the product that S3 gives as HLSL (S3.21). */
+/* V = 1/((NoL + l(wi)) (NoV + l(wo))): the product that S3 gives as HLSL (S3.21).
+   Source: formulas S3.12, S4.52. */
 FN visibility masking_ggx_smith(num alpha_x, num alpha_y, vec3 wi, vec3 wo) {
     num gl = wi.z + ggx_length(alpha_x, alpha_y, wi);
     num gv = wo.z + ggx_length(alpha_x, alpha_y, wo);
     return visibility_of(NUM(1.0), gl * gv, wi);
 }
 
-/* V = 1/(2 (NoV l(wi) + NoL l(wo))). Source: [Heitz14] eq. 99, formulas S1.11, S1.12. */
+/* V = 1/(2 (NoV l(wi) + NoL l(wo))). Source: [Heitz14] eq. 99, formulas S1.9, S1.11,
+   S1.12. */
 FN visibility masking_ggx_smith_correlated(num alpha_x, num alpha_y, vec3 wi, vec3 wo) {
     num gl = wo.z * ggx_length(alpha_x, alpha_y, wi);
     num gv = wi.z * ggx_length(alpha_x, alpha_y, wo);
@@ -169,14 +175,14 @@ FN num beckmann_length(num alpha_x, num alpha_y, vec3 w) {
     return 0.5f * (w.z * (1.0f + erf_(a)) + INV_SQRT_PI * s * exp_(-(a * a)));
 }
 
-/* V = 1/(4 m(wi) m(wo)), m(w) = wz (1 + Lambda(w)). Source: [Walter07]. */
+/* V = 1/(4 m(wi) m(wo)), m(w) = wz (1 + Lambda(w)). Source: [Walter07], formulas S3.12, S3.14. */
 FN visibility masking_beckmann_smith(num alpha_x, num alpha_y, vec3 wi, vec3 wo) {
     num ml = beckmann_length(alpha_x, alpha_y, wi);
     num mv = beckmann_length(alpha_x, alpha_y, wo);
     return visibility_of(NUM(0.25), ml * mv, wi);
 }
 
-/* V = 1/(4 (NoV m(wi) + NoL m(wo) - NoL NoV)). Source: [Heitz14] eq. 99. */
+/* V = 1/(4 (NoV m(wi) + NoL m(wo) - NoL NoV)). Source: [Heitz14] eq. 99, formulas S1.9. */
 FN visibility masking_beckmann_smith_correlated(num alpha_x, num alpha_y, vec3 wi, vec3 wo) {
     num ml = wo.z * beckmann_length(alpha_x, alpha_y, wi);
     num mv = wi.z * beckmann_length(alpha_x, alpha_y, wo);
@@ -194,7 +200,7 @@ FN ratio walter_masking(num alpha_x, num alpha_y, vec3 w) {
     return r;
 }
 
-/* V of the separable product of Walter's G1. */
+/* V of the separable product of Walter's G1. Source: formulas S3.13, S3.14. */
 FN visibility masking_smith_walter(num alpha_x, num alpha_y, vec3 wi, vec3 wo) {
     ratio l = walter_masking(alpha_x, alpha_y, wi);
     ratio v = walter_masking(alpha_x, alpha_y, wo);
@@ -208,12 +214,14 @@ FN num projected_alpha(num alpha_x, num alpha_y, vec3 w) {
     return sel(alpha_x == alpha_y, alpha_x, sqrt_(along2 / max_(sin2_theta(w), SMALLEST)));
 }
 
-/* wz/G1(w) of Schlick's form: wz (1 - k) + k. Domain: k >= 0; it stays positive beyond 1. */
+/* wz/G1(w) of Schlick's form: wz (1 - k) + k. Domain: k >= 0; it stays positive beyond 1.
+   Source: formulas S2.15, S2.18. */
 FN num schlick_length(num k, vec3 w) {
     return w.z + k * (1.0f - w.z);
 }
 
-/* V of Schlick's form with one k per direction: 1/(4 (NoL (1 - k) + k)(NoV (1 - k) + k)). */
+/* V of Schlick's form with one k per direction: 1/(4 (NoL (1 - k) + k)(NoV (1 - k) + k)).
+   Source: formulas S2.15, S2.18. */
 FN visibility masking_schlick(num k_wi, num k_wo, vec3 wi, vec3 wo) {
     return visibility_of(NUM(0.25), schlick_length(k_wi, wi) * schlick_length(k_wo, wo), wi);
 }
@@ -224,20 +232,20 @@ FN visibility masking_schlick_beckmann(num alpha_x, num alpha_y, vec3 wi, vec3 w
                            SQRT_TWO_OVER_PI * projected_alpha(alpha_x, alpha_y, wo), wi, wo);
 }
 
-/* k = alpha/2. Source: [Karis13]. */
+/* k = alpha/2. Source: [Karis13], formulas S3.17. */
 FN visibility masking_schlick_ggx(num alpha_x, num alpha_y, vec3 wi, vec3 wo) {
     return masking_schlick(0.5f * projected_alpha(alpha_x, alpha_y, wi),
                            0.5f * projected_alpha(alpha_x, alpha_y, wo), wi, wo);
 }
 
 /* k = (roughness + 1)^2/8 of a direction: the given roughness where the surface is isotropic,
-   else the root of the projected alpha. */
+   else the root of the projected alpha. Source: formulas S2.16. */
 FN num direct_k(num alpha_x, num alpha_y, num direct_roughness, vec3 w) {
     num projected = sqrt_(projected_alpha(alpha_x, alpha_y, w));
     return 0.125f * sq_(sel(alpha_x == alpha_y, direct_roughness, projected) + 1.0f);
 }
 
-/* k = (roughness + 1)^2/8. Source: [Karis13], formulas S2.16. */
+/* k = (roughness + 1)^2/8. Source: [Karis13], formulas S2.16, S2.17, S2.19. */
 FN visibility masking_schlick_direct(num alpha_x, num alpha_y, num direct_roughness, vec3 wi,
                                      vec3 wo) {
     return masking_schlick(direct_k(alpha_x, alpha_y, direct_roughness, wi),

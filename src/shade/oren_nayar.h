@@ -2,6 +2,7 @@
 #ifndef ND_SHADE_OREN_NAYAR_H
 #define ND_SHADE_OREN_NAYAR_H
 #include "shade/convert.h"
+#include "shade/sampling.h"
 
 #define OREN_NAYAR_WORDS "qualitative qualitative57 full table"
 
@@ -40,7 +41,7 @@
               "viewer grazing from opposite sides). table stays within 2e-4 of qualitative in "    \
               "f NoL.")                                                                            \
     M(ENERGY, "Gains a little at color 1: E at most 1.0152 for .33 (sigma .199), 1.0444 for .57 "  \
-              "(sigma .289), 1.020 to 1.050 for full, all at the horizon; rough surfaces lose. "   \
+              "(sigma .289), 1.0510 for full (sigma .30), all at the horizon; rough ones lose. "   \
               "E at NoV 1 .5 .1 .01, sigma .1: qualitative .985 .999 1.006 1.008, qualitative57 "  \
               ".991 1.005 1.012 1.014, full .997 1.002 1.010 1.014; sigma .5: .785 .883 .939 "     \
               ".949, .848 .946 1.002 1.012, .896 .927 .991 1.020.")                                \
@@ -54,6 +55,7 @@
       "= "                                                                                         \
       "q = .001, sigma .5); this one holds sin a sin b and is divided by max(p, q), and B stays "  \
       "outside, so that one table serves every sigma.")                                            \
+    M(SAMPLING, "Directions by the cosine, pdf = NoL/pi.")                                         \
     M(SOURCE, "[OrenNayar94]; formulas S4.29 to S4.33")
 
 STRUCT(oren_nayar_p) {
@@ -187,6 +189,14 @@ FN vec3 oren_nayar_full_brdf(oren_nayar_p p, vec3 wi, vec3 wo) {
 }
 FN vec3 oren_nayar_full_brdf_cos(oren_nayar_p p, vec3 wi, vec3 wo) {
     return oren_nayar_full_value(p, wi, wo, wi.z);
+}
+
+/* The cosine's density: no sample is lost. */
+FN vec3 oren_nayar_sample(oren_nayar_p p, vec3 wo, vec3 u) {
+    return cosine_sample(wo, u);
+}
+FN num oren_nayar_pdf(oren_nayar_p p, vec3 wi, vec3 wo) {
+    return cosine_pdf(wi, wo);
 }
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 OR MIT-0 */
 #ifndef ND_SHADE_PHONG_H
 #define ND_SHADE_PHONG_H
-#include "shade/halfway.h"
+#include "shade/sampling.h"
 
 #define PHONG_WORDS "lecture normalized"
 
@@ -35,6 +35,9 @@
       "GLSL r = -reflect(d, n) for d towards the light, as here; with the opposite d "             \
       "r points into the surface. 0^0 is 1: exponent 0 is white everywhere. S4 has no "            \
       "test of the horizon: light 5.7 degrees below it still gives v.r = .98.")                    \
+    M(SAMPLING,                                                                                    \
+      "Directions around the mirrored viewer, pdf = (exponent + 1)/(2 pi) c^exponent; those "      \
+      "below the horizon are no sample.")                                                          \
     M(SOURCE, "[Phong75], [LafortuneWillems94]; formulas S4.18 to S4.22, S4.41, S4.55")
 
 STRUCT(phong_p) {
@@ -67,6 +70,23 @@ FN vec3 phong_normalized_brdf(phong_p p, vec3 wi, vec3 wo) {
 FN vec3 phong_normalized_brdf_cos(phong_p p, vec3 wi, vec3 wo) {
     num f = phong_normalized_lobe(p.exponent, wi, wo) * wi.z;
     return gated(lit(wi, wo), v3_scale(p.color, f));
+}
+
+/* wi around the mirrored wo, with the power of the cosine to it as density. What falls below the
+   horizon is no sample. The lobe of exponent 0 is 1 also where that cosine is negative: it is drawn
+   around the normal. Source: [LafortuneWillems94]. */
+FN vec3 phong_sample(phong_p p, vec3 wo, vec3 u) {
+    num t2 = tangent2_of_power(u.x, 1.0f / (p.exponent + 1.0f));
+    num c = 1.0f / sqrt_(1.0f + t2);
+    num s = c * sqrt_(t2);
+    vec3 axis = v3_sel(p.exponent > NUM(1e-30), reflect_about_normal(wo), v3(0.0f, 0.0f, 1.0f));
+    return if_seen(wo, about(axis, s * cos2pi_(u.y), s * sin2pi_(u.y), c));
+}
+
+/* (exponent + 1)/(2 pi) c^exponent, 1/sr. */
+FN num phong_pdf(phong_p p, vec3 wi, vec3 wo) {
+    num d = (p.exponent + 1.0f) * (0.5f * INV_PI) * phong_lobe(p.exponent, wi, wo);
+    return sel(lit(wi, wo), storable(d), 0.0f);
 }
 
 #endif

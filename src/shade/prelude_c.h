@@ -207,7 +207,7 @@ FN vec3 v3_sel(cond c, vec3 a, vec3 b) {
 /* ---- tables: data that the text reads only through lut1 and lut2 ---- */
 /* A ramp: n stops, 1 <= n <= TABLE1_STOPS, x in rising order (two equal ones make a step),
    colours r g b. */
-enum { TABLE1_STOPS = 256 };
+enum { TABLE1_STOPS = 4096 };
 typedef struct {
     const float *x, *r, *g, *b;
     int n;
@@ -229,7 +229,11 @@ FN int reached_stop(table1 t, num x, int k, int step) {
    by a bisection of fixed length, which vectorises (a loop over n stops does not). The way through
    a num hides from gcc that k was an index before: it would load conditionally, in scalar code. */
 FN vec3 lut1(table1 t, num x) {
-    int found = reached_stop(t, x, 0, 128);
+    int found = reached_stop(t, x, 0, 2048);
+    found = reached_stop(t, x, found, 1024);
+    found = reached_stop(t, x, found, 512);
+    found = reached_stop(t, x, found, 256);
+    found = reached_stop(t, x, found, 128);
     found = reached_stop(t, x, found, 64);
     found = reached_stop(t, x, found, 32);
     found = reached_stop(t, x, found, 16);

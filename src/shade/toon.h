@@ -3,7 +3,7 @@
    of wi itself. */
 #ifndef ND_SHADE_TOON_H
 #define ND_SHADE_TOON_H
-#include "shade/common.h"
+#include "shade/sampling.h"
 
 #define TOON_COLOR_PARAMS(P)                                                                       \
     P(RGB, color1, 0.0, 1.0, 0.8, "1", "where the cosine has reached the threshold")               \

@@ -22,6 +22,9 @@
       "or filter; here a ramp is the exact piecewise linear function of the cosine in "            \
       "linear RGB, so no texel shifts the threshold. The lecture has no test of the "              \
       "horizon.")                                                                                  \
+    M(SAMPLING,                                                                                    \
+      "Directions by the cosine, pdf = NoL/pi; the weight pi brdf_cos/NoL has no bound at the "    \
+      "light's horizon.")                                                                          \
     M(SOURCE, "formulas S4.26, S4.28")
 
 STRUCT(toon_diffuse_p) {
@@ -42,6 +45,15 @@ FN vec3 toon_diffuse_ramp_brdf(toon_diffuse_p p, vec3 wi, vec3 wo) {
 }
 FN vec3 toon_diffuse_ramp_brdf_cos(toon_diffuse_p p, vec3 wi, vec3 wo) {
     return gated(lit(wi, wo), lut1(p.ramp, wi.z));
+}
+
+/* The cosine's density: no sample is lost. The colour over it grows towards the horizon: the
+   weight has no bound. */
+FN vec3 toon_diffuse_sample(toon_diffuse_p p, vec3 wo, vec3 u) {
+    return cosine_sample(wo, u);
+}
+FN num toon_diffuse_pdf(toon_diffuse_p p, vec3 wi, vec3 wo) {
+    return cosine_pdf(wi, wo);
 }
 
 #endif

@@ -35,6 +35,9 @@
       "The lecture leaves the cosine unclamped, which matters for a threshold below "              \
       "0, and so does this; it has no test of the horizon, so its highlight may light "            \
       "back faces, and this one does not.")                                                        \
+    M(SAMPLING,                                                                                    \
+      "Directions by the cosine, pdf = NoL/pi; the weight pi brdf_cos/NoL has no bound at the "    \
+      "light's horizon.")                                                                          \
     M(SOURCE, "formulas S4.26, S4.27, S4.28")
 
 STRUCT(toon_specular_p) {
@@ -77,6 +80,14 @@ FN vec3 toon_specular_half_ramp_brdf(toon_specular_p p, vec3 wi, vec3 wo) {
 }
 FN vec3 toon_specular_half_ramp_brdf_cos(toon_specular_p p, vec3 wi, vec3 wo) {
     return gated(lit(wi, wo), lut1(p.ramp, normal_half_cosine(wi, wo)));
+}
+
+/* The cosine's density: no sample is lost. Not the spot: the colour around it counts as much. */
+FN vec3 toon_specular_sample(toon_specular_p p, vec3 wo, vec3 u) {
+    return cosine_sample(wo, u);
+}
+FN num toon_specular_pdf(toon_specular_p p, vec3 wi, vec3 wo) {
+    return cosine_pdf(wi, wo);
 }
 
 #endif

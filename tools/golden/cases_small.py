@@ -222,7 +222,8 @@ def sums():
 
     def diffuse():
         return q.pick((Lobe("lambert", weight(), color=q.colour()),
-                       Lobe("oren_nayar", weight(), sigma=q.uniform(0.1, 1), color=q.uniform(.2, 1)),
+                       Lobe("oren_nayar", weight(), sigma=q.uniform(0.1, 1),
+                            color=q.uniform(0.2, 1)),
                        Lobe("toon_diffuse", weight(), threshold=q.uniform(0.2, 0.9))))
 
     def specular():

@@ -8,11 +8,19 @@ accuracy comes from the tangent of h.
 """
 from mpmath import mp, mpf
 
+from densities import density
 from material import leaves, lift_material, with_leaf
 from models import FLT_MAX, evaluate
 
 VALUE_DIGITS, SLOPE_DIGITS = 50, 40
 STEP = mpf(10) ** -12              # relative; truncation about 1e-24, rounding about 1e-28
+
+
+def value_of(real, quantity, wi, wo, nudge=0, keep_length=False):
+    """Any quantity of a lifted material, per channel."""
+    if quantity == "pdf":
+        return density(mp, real, wi, wo, nudge, keep_length)
+    return evaluate(mp, real, quantity, wi, wo, nudge, keep_length)
 
 
 def jumps(a, b):
@@ -35,12 +43,12 @@ def slopes(real, quantity, wi, wo):
                 v = list(vector)
                 v[i] = v[i] * s
                 pair = (v, wo) if other else (wi, v)
-                return evaluate(mp, real, quantity, *pair)
+                return value_of(real, quantity, *pair)
             yield difference(moved)
     for path, x in list(leaves(real)):
         if x != 0:
-            yield difference(lambda s: evaluate(mp, with_leaf(real, path, x * s), quantity, wi, wo))
-    yield difference(lambda s: evaluate(mp, real, quantity, wi, wo, s - 1))
+            yield difference(lambda s: value_of(with_leaf(real, path, x * s), quantity, wi, wo))
+    yield difference(lambda s: value_of(real, quantity, wi, wo, s - 1))
 
 
 def reference(lobes, quantity, wi, wo):
@@ -48,7 +56,7 @@ def reference(lobes, quantity, wi, wo):
     real = lift_material(lobes)
     wi, wo = [mpf(x) for x in wi], [mpf(x) for x in wo]
     with mp.workdps(VALUE_DIGITS):
-        value = evaluate(mp, real, quantity, wi, wo)
+        value = value_of(real, quantity, wi, wo)
     if all(v == 0 for v in value):
         return (0.0,) * 3, (0.0,) * 3
     total = [mpf(0)] * 3
@@ -66,6 +74,6 @@ def depends_on_length(lobes, quantity, wi, wo, value, k):
     such a case would test a convention, not a formula."""
     real = lift_material(lobes)
     with mp.workdps(SLOPE_DIGITS):
-        kept = evaluate(mp, real, quantity, [mpf(x) for x in wi], [mpf(x) for x in wo], 0, True)
+        kept = value_of(real, quantity, [mpf(x) for x in wi], [mpf(x) for x in wo], 0, True)
         return any(abs(min(u, FLT_MAX) - v) > (16 + 4 * n) * mpf(2) ** -26 * abs(v)
                    for u, v, n in zip(kept, value, k))

@@ -3,6 +3,7 @@
 import cases_albedo
 import cases_conversions
 import cases_microfacet as m
+import cases_pdf
 import cases_small as s
 from tags import REQUIRED
 
@@ -30,6 +31,7 @@ FILES = {
                         "beckmann, short for microfacet(ndf=beckmann)"),
     "metal_rough": of_rows(m.metal_rough, "metal_rough"),
     "sums": of_rows(s.sums, "weighted sums"),
+    "pdf": of_rows(cases_pdf.pdf, "densities of the samplers"),
     "albedo": cases_albedo.build,
     "conversions": cases_conversions.build,
 }

@@ -8,7 +8,7 @@ from mpmath import mpf
 
 from geometry import Geometry
 from material import f32
-from terms import FLOOR, Width, fresnel, masking, ndf, schlick, three, width_of
+from terms import fresnel, masking, ndf, schlick, three, width_of
 
 FLT_MAX = mpf(f32(3.4028234663852886e38))
 POINT8, ONE = f32("0.8"), 1

@@ -4,7 +4,8 @@
 Reflecting lobes are integrated over h: d(wi) = 4 (wi.h) dh, and for an azimuth of h the light is
 above the horizon for theta_h in [0, (psi + pi/2)/2], tan psi = tan(theta_o) cos(phi_h): no
 discontinuity is crossed. Kinks of the masking functions in theta_h are panel borders as well.
-Measured error (12 against 20 nodes a panel, check.py): below 1e-11.
+Measured: 28 nodes a panel against 42, over every row of albedo.csv, differ by at most 1.0e-11; 12
+nodes against 20 by at most 8e-8 (Beckmann's Lambda at alpha = 1: smooth but not analytic).
 """
 import math
 

@@ -50,5 +50,6 @@ class Rows:
         head = ["# SPDX-License-Identifier: Apache-2.0",
                 "# %s: reference values in 50 digits (mpmath), rounded to double." % what,
                 "# Made by: tools/golden/generate.py %s" % self.name,
-                "# k: condition number of each channel (docs/golden.md). D, G and V repeat in r g b."]
+                "# k: condition number of each channel (docs/golden.md). "
+                "D, G and V repeat in r g b."]
         return "\n".join(head + [HEADER] + self.lines) + "\n"

@@ -96,7 +96,9 @@ def lobe_tags(model, params, quantity):
         return microfacet_tags(p, quantity)
     if model == "lambert":
         scan = "S4.8 S4.9 S4.10 S4.11 S4.12 S4.13 S4.14"
-        return [scan if quantity == "scanline" else "S2.3" + (" S4.10" if quantity == "cos" else "")]
+        if quantity == "scanline":
+            return [scan]
+        return ["S2.3 S4.10" if quantity == "cos" else "S2.3"]
     if model == "oren_nayar":
         return oren_nayar_tags(p)
     if model == "toon_diffuse":

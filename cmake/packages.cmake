@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+# Finds what libndotl-workbench needs; ndl_missing names what is not there.
+find_package(Threads REQUIRED)
+set(ndl_missing)
+
+# Defines the imported target ndl::<name> from a header and a library ("" for header-only);
+# `package` is the Debian package that the message names.
+function(ndl_find name package header library)
+    find_path(NDL_${name}_INCLUDE ${header} PATH_SUFFIXES ${ARGN})
+    set(found ${NDL_${name}_INCLUDE})
+    if(library)
+        find_library(NDL_${name}_LIBRARY ${library})
+        if(NOT NDL_${name}_LIBRARY)
+            set(found)
+        endif()
+    endif()
+    mark_as_advanced(NDL_${name}_INCLUDE NDL_${name}_LIBRARY)
+    if(NOT found)
+        set(ndl_missing ${ndl_missing} ${package} PARENT_SCOPE)
+        return()
+    endif()
+    add_library(ndl::${name} INTERFACE IMPORTED)
+    target_include_directories(ndl::${name} SYSTEM INTERFACE ${NDL_${name}_INCLUDE})
+    if(library)
+        target_link_libraries(ndl::${name} INTERFACE ${NDL_${name}_LIBRARY})
+    endif()
+endfunction()
+
+if(NDOTL_WORKBENCH)
+    ndl_find(png libpng-dev png.h png16)
+    ndl_find(exr libopenexr-dev openexr.h OpenEXRCore OpenEXR)
+    ndl_find(assimp libassimp-dev assimp/cimport.h assimp)
+    ndl_find(embree libembree-dev embree3/rtcore.h embree3)
+    ndl_find(jansson libjansson-dev jansson.h jansson)
+    ndl_find(stb libstb-dev stb/stb_image.h "")
+    if(ndl_missing)
+        string(JOIN " " names ${ndl_missing})
+        message(WARNING "libndotl-workbench and 'ndotl render' are left out. "
+            "Missing packages: ${names}\n  apt-get install -y --no-install-recommends ${names}")
+    endif()
+endif()
