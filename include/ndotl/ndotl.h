@@ -104,7 +104,7 @@ NDL_API size_t ndl_material_lobes(const ndl_material *m);
 /* The model name of lobe i < ndl_material_lobes(m). */
 NDL_API const char *ndl_material_model(const ndl_material *m, size_t i);
 
-/* ---- values ------------------------------------------------------------------------------------ */
+/* ---- values ---------------------------------------------------------------------------------- */
 
 /* The BRDF f_r(wi, wo), 1/sr, without the cosine.
    Domain:   unit vectors in the local frame; 0 unless wi.z > 0 and wo.z > 0.
@@ -117,7 +117,8 @@ NDL_API ndl_rgb ndl_brdf_cos(const ndl_material *m, ndl_vec3 wi, ndl_vec3 wo);
 
 /* The same for n pairs of directions. An output array may be one of the input arrays (the same
    pointer, not shifted). Bit for bit what n scalar calls give. */
-NDL_API void ndl_brdf_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb);
+NDL_API void ndl_brdf_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo,
+                        ndl_rgb_n rgb);
 NDL_API void ndl_brdf_cos_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo,
                             ndl_rgb_n rgb);
 
@@ -193,8 +194,8 @@ NDL_API ndl_vec3 ndl_reflect(ndl_vec3 w, ndl_vec3 n);
 /* ---- drawing directions -------------------------------------------------------------------------
 
    Importance sampling of brdf_cos: each model draws by its own density, which its manual gives
-   (`ndotl models NAME`, section sampling). A sum is a mixture: u.z chooses a lobe, with chances that
-   follow the lobes' albedos, and the density is that of the whole mixture. */
+   (`ndotl models NAME`, section sampling). A sum is a mixture: u.z chooses a lobe, with chances
+   that follow the lobes' albedos, and the density is that of the whole mixture. */
 
 /* One drawn direction. pdf 0: no sample; the weight is 0 then, and wi is not to be used. */
 typedef struct { ndl_vec3 wi; ndl_rgb weight; float pdf; } ndl_sample;
@@ -221,7 +222,7 @@ NDL_API void ndl_pdf_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_
 NDL_API void ndl_brdf_cos_pdf_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo,
                                 ndl_rgb_n rgb, float *pdf);
 
-/* ---- registry ---------------------------------------------------------------------------------- */
+/* ---- registry -------------------------------------------------------------------------------- */
 
 typedef enum {
     NDL_KIND_NUMBER, /* one float */
@@ -274,7 +275,7 @@ typedef struct {
 NDL_API size_t ndl_preset_count(void);
 NDL_API const ndl_preset *ndl_preset_at(size_t i);
 
-/* ---- instruction sets --------------------------------------------------------------------------- */
+/* ---- instruction sets ------------------------------------------------------------------------ */
 
 /* The kernels in use: "scalar", "x86-64", "x86-64-v3", "x86-64-v4" or "neon". */
 NDL_API const char *ndl_isa(void);

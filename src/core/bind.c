@@ -120,7 +120,8 @@ static bool in_range(const ndl_param *p, float x) {
 }
 
 static bool wrong_type(const nd_binding *b, const nd_arg *arg, const char *wanted) {
-    return nd_fail(b->error, NDL_E_TYPE, arg->value.column, "'", arg->key, "' takes ", wanted, NULL);
+    return nd_fail(b->error, NDL_E_TYPE, arg->value.column, "'", arg->key, "' takes ", wanted,
+                   NULL);
 }
 
 static bool check_number(const nd_binding *b, const nd_arg *arg, const ndl_param *p, bool degrees) {

@@ -3,7 +3,6 @@
 #include "core/eval.h"
 
 #include "core/lanes.h"
-#include "core/stream.h"
 
 #include <float.h>
 #include <math.h>
@@ -119,24 +118,24 @@ static nd_batch tile_of(const nd_batch *all, size_t at) {
     return t;
 }
 
-static bool streams(const nd_batch *q) {
-    return q->n >= ND_STREAMING_PAIRS && nd_can_stream(q->out[0]) && nd_can_stream(q->out[1]) &&
-           nd_can_stream(q->out[2]);
+/* Whether the lobe needs no scratch: then a batch of any size is one call. */
+static bool is_one_loop(const nd_lobe *l) {
+    return l->model->ndf == ND_NO_FACET ||
+           FUSED_LOOP[l->facet.ndf][l->facet.masking][l->facet.fresnel];
 }
 
 static void values(const ndl_material *m, quantity what, nd_batch all) {
     const nd_kernel_table *k = nd_kernels();
-    bool plain = m->count == 1 && is_plain(&m->lobes[0], what), streamed = streams(&all);
-    float scratch[3][ND_TILE];
+    bool plain = m->count == 1 && is_plain(&m->lobes[0], what);
+    if (plain && is_one_loop(&m->lobes[0])) {
+        nd_lobe_values(k, &m->lobes[0], what != BRDF, &all);
+        return;
+    }
     for (size_t at = 0; at < all.n; at += ND_TILE) {
         nd_batch tile = tile_of(&all, at);
-        float *to[3] = {tile.out[0], tile.out[1], tile.out[2]};
-        for (int c = 0; c < 3 && streamed; c++) tile.out[c] = scratch[c];
         if (plain) nd_lobe_values(k, &m->lobes[0], what != BRDF, &tile);
         else weighted_tile(k, m, what, &tile);
-        for (int c = 0; c < 3 && streamed; c++) nd_stream(to[c], scratch[c], tile.n);
     }
-    if (streamed) nd_stream_end();
 }
 
 void ndl_brdf_n(const ndl_material *m, size_t n, ndl_vec3_n wi, ndl_vec3_n wo, ndl_rgb_n rgb) {

@@ -56,7 +56,8 @@ static bool exclude(const lane_use *a, const lane_use *b) {
     if (a->param == b->param)
         return a->channel < 0 || b->channel < 0 || a->channel == b->channel;
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
-        if ((is(a, pairs[i][0]) && is(b, pairs[i][1])) || (is(b, pairs[i][0]) && is(a, pairs[i][1])))
+        if ((is(a, pairs[i][0]) && is(b, pairs[i][1])) ||
+            (is(b, pairs[i][0]) && is(a, pairs[i][1])))
             return true;
     return false;
 }
@@ -226,14 +227,16 @@ void nd_lanes_fill(const ndl_material *m, size_t at, size_t lanes, const ndl_lan
         count++;
     }
     if (has_widths && l->model->ndf != ND_NO_FACET) {
-        fill_widths(l, uses, count, from, n, stream_of(l, t, "alpha_x"), stream_of(l, t, "alpha_y"));
+        fill_widths(l, uses, count, from, n, stream_of(l, t, "alpha_x"),
+                    stream_of(l, t, "alpha_y"));
         fill_direct_roughness(l, uses, count, from, n, t);
     } else if (has_widths && l->kernel == ND_KERNEL_metal_rough) {
         fill_widths(l, uses, count, from, n,
                     t->value[offsetof(metal_rough_p, alpha_x) / sizeof(float)],
                     t->value[offsetof(metal_rough_p, alpha_y) / sizeof(float)]);
     } else if (has_widths) {
-        fill_widths(l, uses, count, from, n, stream_of(l, t, "alpha_x"), stream_of(l, t, "alpha_y"));
+        fill_widths(l, uses, count, from, n, stream_of(l, t, "alpha_x"),
+                    stream_of(l, t, "alpha_y"));
     }
     if (n % ND_MOST_GROUP) repeat_last(l, t, n);
 }

@@ -43,7 +43,8 @@ static unsigned facet_claims(nd_facet f, const microfacet_p *p) {
     if (f.masking == ND_MASKING_IS_none) return NDL_CLAIM_RECIPROCITY;
     if (f.ndf == ND_NDF_IS_blinn && (smith || walter)) return gains;
     if (f.ndf == ND_NDF_IS_ggx && walter) return gains;
-    if (f.masking == ND_MASKING_IS_neumann && (p->alpha_x > 1.0f || p->alpha_y > 1.0f)) return gains;
+    bool wide = p->alpha_x > 1.0f || p->alpha_y > 1.0f;
+    if (f.masking == ND_MASKING_IS_neumann && wide) return gains;
     return ND_CLAIM_ALL;
 }
 

@@ -97,7 +97,7 @@ int nd_word_index(const char *words, const char *word);
 #define FIELD_SPELL_WORD(...)
 #define FIELD_GROUP(...)
 
-#define ND_NONE {NAN, NAN, NAN}
+#define ND_NONE {(double)NAN, (double)NAN, (double)NAN}
 #define ND_ROW(kind, ...) ND_ROW_##kind(__VA_ARGS__)
 #define ND_ROW_NUM(key, lo, hi, def, unit, feel) \
     {#key, unit, feel, NDL_KIND_NUMBER, 0, 0, NULL, lo, hi, {def, def, def}, NULL, NULL},

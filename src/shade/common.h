@@ -18,16 +18,18 @@ FN cond lit(vec3 wi, vec3 wo) {
     return both(wi.z > 0.0f, wo.z > 0.0f);
 }
 
-/* x cut to [0, FLT_MAX]; 0 for NaN. */
+/* x cut to [0, FLT_MAX]; 0 for NaN and for -0. */
 FN num storable(num x) {
-    return sel(x >= 0.0f, min_(x, LARGEST), 0.0f);
+    return min_(max_(x, 0.0f), LARGEST);
 }
 
 /* The last step of every model: f where `on`, exactly 0 elsewhere, never NaN or negative, and
-   FLT_MAX where f overflows. */
+   FLT_MAX where f overflows. The gate moves the upper end, so that compilers keep it in vector
+   registers. */
 FN vec3 gated(cond on, vec3 f) {
-    return v3(sel(on, storable(f.x), 0.0f), sel(on, storable(f.y), 0.0f),
-              sel(on, storable(f.z), 0.0f));
+    num most = sel(on, LARGEST, 0.0f);
+    return v3(min_(max_(f.x, 0.0f), most), min_(max_(f.y, 0.0f), most),
+              min_(max_(f.z, 0.0f), most));
 }
 
 /* sin^2 of the polar angle of a unit vector, from the tangent components: the 1 - z^2 of S1.1

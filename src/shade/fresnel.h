@@ -101,12 +101,13 @@ FN vec3 fresnel_cook_torrance(vec3 f0, num c) {
 
 /* Exact unpolarised reflectance of a dielectric, 1 beyond the critical angle.
    Domain: ior = n_t/n_i in (0, 1e4]. ior^2 - sin^2 is (ior - 1)(ior + 1) + c^2, which keeps its
-   digits near ior = 1. Source: [BornWolf99]; equal to S3.20 for ior >= 1. */
+   digits near ior = 1, but for small ior, where total reflection begins.
+   Source: [BornWolf99]; equal to S3.20 for ior >= 1. */
 FN vec3 fresnel_dielectric(num ior, num c) {
     num e = (ior - 1.0f) * (ior + 1.0f);
-    num a2 = e + c * c;
-    num a = sqrt_(max_(a2, 0.0f));
     num s2 = (1.0f - c) * (1.0f + c);
+    num a2 = sel(ior < 0.5f, ior * ior - s2, e + c * c);
+    num a = sqrt_(max_(a2, 0.0f));
     num f = unpolarised(e, a + c, a * c - s2, a * c + s2);
     return v3_splat(sel(a2 >= 0.0f, f, 1.0f));
 }

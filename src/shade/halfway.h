@@ -29,12 +29,12 @@ FN vec3 even_sum(vec3 wi, vec3 wo) {
    Domain: vectors of length 1 within 1e-3; others give some finite value. */
 FN halfway halfway_of(vec3 wi, vec3 wo) {
     vec3 sum = even_sum(wi, wo);
-    cond tiny = v3_dot(sum, sum) < 0.000244140625f; /* 2^-12 */
+    num ss = v3_dot(sum, sum);
     halfway m;
-    m.scale = sel(tiny, 4194304.0f, 1.0f); /* 2^22 */
+    m.scale = sel(ss < 0.000244140625f, 4194304.0f, 1.0f); /* 2^-12, 2^22 */
     m.h = v3_scale(sum, m.scale);
-    m.hh = v3_dot(m.h, m.h);
-    m.cosine = min_(sqrt_(m.hh) * sel(tiny, 0.00000011920928955078125f, 0.5f), 1.0f); /* 2^-23 */
+    m.hh = ss * m.scale * m.scale;
+    m.cosine = min_(0.5f * sqrt_(ss), 1.0f);
     return m;
 }
 

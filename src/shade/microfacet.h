@@ -104,7 +104,7 @@ STRUCT(microfacet_p) {
 /* The last step of a microfacet value: color F n/d, with the one division of the whole formula;
    n/d = D V, or D V NoL for the cosine's form. */
 FN vec3 microfacet_value(cond on, vec3 color, vec3 f, num n, num d) {
-    return gated(on, v3_mul(color, v3_scale(f, storable(n / max_(d, SMALLEST)))));
+    return gated(on, v3_mul(color, v3_scale(f, n / max_(d, SMALLEST))));
 }
 
 /* One term by itself, n/d: 0 outside the gate, FLT_MAX where it overflows. */

@@ -14,7 +14,7 @@
       "a reflectance")
 
 #define PHONG_KERNELS(K)                                                                           \
-    K(phong, phong_lecture, ND_CLAIM_CONTINUITY)                                                   \
+    K(phong, phong_lecture, 0)                                                                     \
     K(phong, phong_normalized, ND_CLAIM_ALL)
 
 #define PHONG_MANUAL(M)                                                                            \

@@ -26,7 +26,8 @@ static void random_directions(void) {
         }
 }
 
-static void evaluate(const ndl_material *m, size_t lanes, const ndl_lanes *lane, size_t n, int cosine) {
+static void evaluate(const ndl_material *m, size_t lanes, const ndl_lanes *lane, size_t n,
+                     int cosine) {
     ndl_vec3_n i = {wi[0], wi[1], wi[2]}, o = {wo[0], wo[1], wo[2]};
     ndl_rgb_n rgb = {out[0], out[1], out[2]};
     if (cosine) ndl_brdf_cos_lanes_n(m, lanes, lane, n, i, o, rgb);
@@ -88,7 +89,8 @@ static void spellings_follow_the_material(void **unused) {
         {"ggx(roughness=0.5, anisotropy=0.6)", "anisotropy", 0.0f, 1.0f},
         {"ggx(alpha=0.2, anisotropy=0.5, anisotropy_kind=kulla)", "alpha", 0.0f, 4.0f},
         {"ggx(roughness=0.3, roughness_map=sqrt)", "roughness", 0.0f, 1.0f},
-        {"ggx(roughness=0.3, roughness_map=direct, masking=schlick_direct)", "roughness", 0.0f, 1.0f},
+        {"ggx(roughness=0.3, roughness_map=direct, masking=schlick_direct)", "roughness", 0.0f,
+         1.0f},
         {"ggx(alpha=0.3, masking=schlick_direct)", "alpha_x", 0.0f, 4.0f},
         {"ggx(preset=gold)", "eta.g", 0.1f, 4.0f},
         {"ggx(ior=1.5)", "ior", 1.0f, 3.0f},

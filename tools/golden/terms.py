@@ -3,7 +3,7 @@
 
 Sources: D and Lambda [Walter07] [Heitz14]; V-cavity G [CookTorrance82]; Kelemen [Kelemen01];
 Neumann [Neumann99]; Schlick's F and G1 [Schlick94] with the k of [Karis13]; anisotropy mappings
-[Burley12] [KullaConty17] [OpenPBR] [KHRAniso]; F from f0 [CookTorrance82].
+[Burley12] [Kulla17] [OpenPBR24] [KHRAniso]; F from f0 [CookTorrance82].
 """
 from mpmath import mpf
 
