@@ -190,24 +190,22 @@ static nd_batch whole_groups(const nd_batch *q, direction_tile *d) {
     return full;
 }
 
+/* A material of several lobes plans anew for every tile and lobe; a plain lobe once for all. */
 static void lanes_tile(const ndl_material *m, bool cosine, size_t lanes, const ndl_lanes *lane,
-                       size_t from, nd_batch *q, nd_lane_tile *t) {
+                       size_t from, const nd_batch *q) {
     float value[3][ND_TILE], sum[3][ND_TILE];
     direction_tile d;
+    nd_lane_plan plan;
+    nd_lane_tile t;
     nd_batch full = whole_groups(q, &d);
-    if (m->count == 1 && is_plain(&m->lobes[0], BRDF) && full.n == q->n) {
-        nd_lanes_fill(m, 0, lanes, lane, from, q->n, t);
-        groups(&nd_kernels()->lanes, &m->lobes[0], (nd_inputs){m->lobes[0].fields, t->stream},
-               cosine, q);
-        return;
-    }
     for (int c = 0; c < 3; c++) full.out[c] = value[c];
     memset(sum, 0, sizeof sum);
     for (size_t at = 0; at < m->count; at++) {
         const nd_lobe *l = &m->lobes[at];
-        if (m->count > 1) nd_lanes_uniform(l, t);
-        nd_lanes_fill(m, at, lanes, lane, from, q->n, t);
-        groups(&nd_kernels()->lanes, l, (nd_inputs){l->fields, t->stream}, cosine, &full);
+        nd_lanes_plan(m, at, lanes, lane, &plan);
+        nd_lanes_uniform(l, q->n, &t);
+        nd_lanes_fill(&plan, from, q->n, &t);
+        groups(&nd_kernels()->lanes, l, (nd_inputs){l->fields, t.stream}, cosine, &full);
         for (int c = 0; c < 3; c++)
             for (size_t i = 0; i < q->n; i++) sum[c][i] += l->weight[c] * value[c][i];
     }
@@ -218,15 +216,27 @@ static void lanes_tile(const ndl_material *m, bool cosine, size_t lanes, const n
 
 static void lanes_values(const ndl_material *m, bool cosine, size_t lanes, const ndl_lanes *lane,
                          nd_batch all) {
-    nd_lane_tile t;
     if (!nd_lanes_valid(m, lanes, lane, NULL)) {
         for (int c = 0; c < 3; c++) memset(all.out[c], 0, all.n * sizeof(float));
         return;
     }
-    nd_lanes_uniform(&m->lobes[0], &t);
-    for (size_t at = 0; at < all.n; at += ND_TILE) {
+    const nd_lobe *l = &m->lobes[0];
+    size_t at = 0;
+    if (m->count == 1 && is_plain(l, BRDF)) {
+        nd_lane_plan plan;
+        nd_lane_tile t;
+        nd_lanes_plan(m, 0, lanes, lane, &plan);
+        nd_lanes_uniform(l, all.n, &t);
+        for (; at < all.n; at += ND_TILE) {
+            nd_batch tile = tile_of(&all, at);
+            if (tile.n % ND_MOST_GROUP) break;
+            nd_lanes_fill(&plan, at, tile.n, &t);
+            groups(&nd_kernels()->lanes, l, (nd_inputs){l->fields, t.stream}, cosine, &tile);
+        }
+    }
+    for (; at < all.n; at += ND_TILE) {
         nd_batch tile = tile_of(&all, at);
-        lanes_tile(m, cosine, lanes, lane, at, &tile, &t);
+        lanes_tile(m, cosine, lanes, lane, at, &tile);
     }
 }
 

@@ -83,48 +83,14 @@ bool nd_lanes_valid(const ndl_material *m, size_t lanes, const ndl_lanes *lane, 
     return true;
 }
 
-/* ---- streams --------------------------------------------------------------------------------- */
+/* ---- the plan of a call ---------------------------------------------------------------------- */
 
-static size_t field_count(const nd_lobe *l) {
-    /* Tables, where there are any, stand behind the numbers; their bytes are no streams. */
-    size_t count = l->model->schema()->size / sizeof(float);
-    return count < ND_MOST_FIELDS ? count : ND_MOST_FIELDS;
-}
-
-void nd_lanes_uniform(const nd_lobe *l, nd_lane_tile *t) {
-    float fields[ND_MOST_FIELDS];
-    size_t count = field_count(l);
-    memcpy(fields, l->fields, count * sizeof *fields);
-    for (size_t f = 0; f < count; f++) {
-        t->stream[f] = t->value[f];
-        for (size_t i = 0; i < ND_TILE; i++) t->value[f][i] = fields[f];
-    }
-}
-
-static float *stream_of(const nd_lobe *l, nd_lane_tile *t, const char *key) {
+static int field_of(const nd_lobe *l, const char *key) {
     bool degrees;
     int at = nd_key(l->model->schema(), key, &degrees);
-    return t->value[(size_t)l->model->schema()->offsets[at] / sizeof(float)];
-}
-
-/* The nearest value in [low, high]; low for NaN. */
-static void cut(size_t n, const float *from, float low, float high, float *to) {
-    for (size_t i = 0; i < n; i++) {
-        float x = from[i] > low ? from[i] : low;
-        to[i] = x < high ? x : high;
-    }
-}
-
-/* The smallest float of a range whose lower bound is excluded. */
-static float low_end(const ndl_param *p) {
-    float low = (float)p->low;
-    return p->above_low ? nextafterf(low, INFINITY) : low;
-}
-
-static const lane_use *find(const lane_use *uses, size_t count, const char *key) {
-    for (size_t i = 0; i < count; i++)
-        if (is(&uses[i], key)) return &uses[i];
-    return NULL;
+    return at < 0 || l->model->schema()->offsets[at] < 0
+               ? -1
+               : (int)((size_t)l->model->schema()->offsets[at] / sizeof(float));
 }
 
 static const nd_arg *written(const nd_lobe *l, const char *key) {
@@ -143,100 +109,139 @@ static int word_or_first(const nd_lobe *l, const char *key, const char *words) {
     return arg ? nd_word_index(words, arg->value.word) : 0;
 }
 
-/* The widths of the microfacet models, ward and metal_rough, from whichever keys are lanes. */
-static void fill_widths(const nd_lobe *l, const lane_use *uses, size_t count, size_t from, size_t n,
-                        float *x, float *y) {
-    const lane_use *alpha = find(uses, count, "alpha"), *rough = find(uses, count, "roughness");
-    const lane_use *stretch = find(uses, count, "anisotropy");
-    const lane_use *ax = find(uses, count, "alpha_x"), *ay = find(uses, count, "alpha_y");
-    const float largest = l->facet.ndf == ND_NDF_IS_blinn ? 1.0f : 4.0f;
-    if (ax) cut(n, ax->values + from, ALPHA_FLOOR, largest, x);
-    if (ay) cut(n, ay->values + from, ALPHA_FLOOR, largest, y);
-    if (!alpha && !rough && !stretch) return;
-    bool metal = l->model->ndf == ND_NO_FACET && l->kernel == ND_KERNEL_metal_rough;
-    bool by_roughness = rough || (!alpha && (metal || written(l, "roughness")));
-    float values[ND_TILE], anisotropy[ND_TILE], one = number_or(l, "anisotropy", 0.0f);
-    float base = by_roughness ? number_or(l, "roughness", 0.5f) : number_or(l, "alpha", 0.3f);
-    for (size_t i = 0; i < n; i++) values[i] = base;
-    if (rough) cut(n, rough->values + from, 0.0f, 1.0f, values);
-    if (alpha) cut(n, alpha->values + from, 0.0f, 4.0f, values);
-    if (stretch) cut(n, stretch->values + from, 0.0f, 1.0f, anisotropy);
-    int map = by_roughness ? word_or_first(l, "roughness_map", ROUGHNESS_MAP_WORDS) : -1;
-    nd_width_lanes(n, values, map, word_or_first(l, "anisotropy_kind", ANISOTROPY_WORDS),
-                   stretch ? anisotropy : &one, stretch != NULL, largest, x, y);
+/* The array of the plan that a width key fills, or NULL. */
+static const float **width_lane(nd_lane_plan *plan, const lane_use *use) {
+    if (is(use, "alpha")) return &plan->alpha;
+    if (is(use, "roughness")) return &plan->roughness;
+    if (is(use, "anisotropy")) return &plan->anisotropy;
+    if (is(use, "alpha_x")) return &plan->alpha_x;
+    if (is(use, "alpha_y")) return &plan->alpha_y;
+    return NULL;
+}
+
+/* The smallest float of a range whose lower bound is excluded. */
+static float low_end(const ndl_param *p) {
+    float low = (float)p->low;
+    return p->above_low ? nextafterf(low, INFINITY) : low;
+}
+
+static void plan_plain(nd_lane_plan *plan, const nd_lobe *l, const lane_use *use) {
+    const ndl_param *p = &l->model->schema()->params[use->param];
+    bool spells_sigma = is(use, "a");
+    int field = field_of(l, spells_sigma ? "sigma" : p->key);
+    int channels = p->kind == NDL_KIND_COLOR && use->channel < 0 ? 3 : 1;
+    int first = field + (use->channel > 0 ? use->channel : 0);
+    plan->plain[plan->plain_count++] = (nd_plain_lane){
+        use->values, low_end(p), (float)p->high,
+        use->degrees ? 3.14159265358979323846 / 180.0 : 1.0, first, first + channels - 1,
+        spells_sigma};
+}
+
+/* The number of a struct's field that has no key. */
+#define FIELD_NUMBER(type, field) ((int)(offsetof(type, field) / sizeof(float)))
+
+/* What m gives where a width is no lane; see nd_group_width. */
+static void plan_widths(nd_lane_plan *plan, const nd_lobe *l) {
+    bool composed = l->model->ndf != ND_NO_FACET;
+    bool metal = !composed && l->kernel == ND_KERNEL_metal_rough;
+    bool by_roughness = plan->roughness || (!plan->alpha && (metal || written(l, "roughness")));
+    plan->base = by_roughness ? number_or(l, "roughness", 0.5f) : number_or(l, "alpha", 0.3f);
+    plan->stretch = number_or(l, "anisotropy", 0.0f);
+    plan->map = by_roughness ? word_or_first(l, "roughness_map", ROUGHNESS_MAP_WORDS) : -1;
+    plan->kind = word_or_first(l, "anisotropy_kind", ANISOTROPY_WORDS);
+    plan->largest = composed && l->facet.ndf == ND_NDF_IS_blinn ? 1.0f : 4.0f;
+    plan->x = metal ? FIELD_NUMBER(metal_rough_p, alpha_x) : field_of(l, "alpha_x");
+    plan->y = metal ? FIELD_NUMBER(metal_rough_p, alpha_y) : field_of(l, "alpha_y");
+    bool direct = composed && l->facet.masking == ND_MASKING_IS_schlick_direct;
+    plan->direct = direct ? FIELD_NUMBER(microfacet_p, direct_roughness) : -1;
+    plan->direct_is_root = plan->alpha || plan->alpha_x || plan->alpha_y ||
+                           (plan->anisotropy && !written(l, "roughness"));
+}
+
+void nd_lanes_plan(const ndl_material *m, size_t at, size_t lanes, const ndl_lanes *lane,
+                   nd_lane_plan *plan) {
+    const nd_lobe *l = &m->lobes[at];
+    memset(plan, 0, sizeof *plan);
+    for (size_t i = 0; i < lanes; i++) {
+        size_t lobe;
+        lane_use use;
+        if (!lane_of(m, &lane[i], &lobe, &use) || lobe != at) continue;
+        const float **width = width_lane(plan, &use);
+        if (width) *width = use.values;
+        else if (plan->plain_count < ND_MOST_LANES) plan_plain(plan, l, &use);
+    }
+    plan_widths(plan, l);
+    /* Tables, where there are any, stand behind the numbers; their bytes are no streams. */
+    plan->field_count = l->model->schema()->size / sizeof(float);
+    if (plan->field_count > ND_MOST_FIELDS) plan->field_count = ND_MOST_FIELDS;
+}
+
+/* ---- streams --------------------------------------------------------------------------------- */
+
+static size_t whole(size_t n) {
+    return (n + ND_MOST_GROUP - 1) / ND_MOST_GROUP * ND_MOST_GROUP;
+}
+
+void nd_lanes_uniform(const nd_lobe *l, size_t n, nd_lane_tile *t) {
+    float fields[ND_MOST_FIELDS];
+    size_t count = l->model->schema()->size / sizeof(float);
+    if (count > ND_MOST_FIELDS) count = ND_MOST_FIELDS;
+    memcpy(fields, l->fields, count * sizeof *fields);
+    for (size_t f = 0; f < count; f++) {
+        t->stream[f] = t->value[f];
+        for (size_t i = 0; i < whole(n < ND_TILE ? n : ND_TILE); i++) t->value[f][i] = fields[f];
+    }
+}
+
+/* The nearest value in [low, high]; low for NaN. */
+static void cut(size_t n, const float *from, float low, float high, float *to) {
+    for (size_t i = 0; i < n; i++) {
+        float x = from[i] > low ? from[i] : low;
+        to[i] = x < high ? x : high;
+    }
+}
+
+static void fill_widths(const nd_lane_plan *plan, size_t from, size_t n, float *x, float *y) {
+    float values[ND_TILE], anisotropy[ND_TILE];
+    if (plan->alpha_x) cut(n, plan->alpha_x + from, ALPHA_FLOOR, plan->largest, x);
+    if (plan->alpha_y) cut(n, plan->alpha_y + from, ALPHA_FLOOR, plan->largest, y);
+    if (!plan->alpha && !plan->roughness && !plan->anisotropy) return;
+    if (plan->roughness) cut(n, plan->roughness + from, 0.0f, 1.0f, values);
+    else if (plan->alpha) cut(n, plan->alpha + from, 0.0f, 4.0f, values);
+    else for (size_t i = 0; i < n; i++) values[i] = plan->base;
+    if (plan->anisotropy) cut(n, plan->anisotropy + from, 0.0f, 1.0f, anisotropy);
+    nd_width_lanes(n, values, plan->map, plan->kind,
+                   plan->anisotropy ? anisotropy : &plan->stretch, plan->anisotropy != NULL,
+                   plan->largest, x, y);
 }
 
 /* Document S2's roughness: as given, or the root of alpha. */
-static void fill_direct_roughness(const nd_lobe *l, const lane_use *uses, size_t count, size_t from,
-                                  size_t n, nd_lane_tile *t) {
-    float *direct = t->value[offsetof(microfacet_p, direct_roughness) / sizeof(float)];
-    const float *x = t->value[offsetof(microfacet_p, alpha_x) / sizeof(float)];
-    const lane_use *rough = find(uses, count, "roughness");
-    bool alphas = find(uses, count, "alpha") || find(uses, count, "alpha_x") ||
-                  find(uses, count, "alpha_y");
-    if (rough) cut(n, rough->values + from, 0.0f, 1.0f, direct);
-    else if (alphas || (find(uses, count, "anisotropy") && !written(l, "roughness")))
+static void fill_direct_roughness(const nd_lane_plan *plan, size_t from, size_t n,
+                                  nd_lane_tile *t) {
+    float *direct = t->value[plan->direct];
+    const float *x = t->value[plan->x];
+    if (plan->roughness) cut(n, plan->roughness + from, 0.0f, 1.0f, direct);
+    else if (plan->direct_is_root)
         for (size_t i = 0; i < n; i++) direct[i] = roughness_from_alpha(x[i]);
 }
 
-static bool is_width(const lane_use *use) {
-    return is(use, "alpha") || is(use, "roughness") || is(use, "anisotropy") ||
-           is(use, "alpha_x") || is(use, "alpha_y");
-}
-
-static void fill_plain(const nd_lobe *l, const lane_use *use, size_t from, size_t n,
-                       nd_lane_tile *t) {
-    const ndl_param *p = &l->model->schema()->params[use->param];
-    float low = low_end(p), high = (float)p->high, radians[ND_TILE];
-    if (is(use, "a")) { /* Oren and Nayar's A spells sigma */
-        float *sigma = stream_of(l, t, "sigma");
-        cut(n, use->values + from, low, high, sigma);
-        for (size_t i = 0; i < n; i++) sigma[i] = sigma_from_a(sigma[i]);
-        return;
-    }
-    float *stream = stream_of(l, t, p->key);
-    const float *values = use->values + from;
-    if (use->degrees) {
-        for (size_t i = 0; i < n; i++)
-            radians[i] = (float)((double)values[i] * (3.14159265358979323846 / 180.0));
+static void fill_plain(const nd_plain_lane *lane, size_t from, size_t n, nd_lane_tile *t) {
+    float radians[ND_TILE];
+    const float *values = lane->values + from;
+    if (lane->scale != 1.0) {
+        for (size_t i = 0; i < n; i++) radians[i] = (float)((double)values[i] * lane->scale);
         values = radians;
     }
-    int first = use->channel < 0 ? 0 : use->channel;
-    int last = use->channel < 0 ? (p->kind == NDL_KIND_COLOR ? 2 : 0) : use->channel;
-    for (int c = first; c <= last; c++) cut(n, values, low, high, stream + c * ND_TILE);
+    for (int f = lane->first; f <= lane->last; f++)
+        cut(n, values, lane->low, lane->high, t->value[f]);
+    float *sigma = t->value[lane->first];
+    for (size_t i = 0; lane->spells_sigma && i < n; i++) sigma[i] = sigma_from_a(sigma[i]);
 }
 
-/* Lanes after the last one, up to a whole group, repeat it. */
-static void repeat_last(const nd_lobe *l, nd_lane_tile *t, size_t n) {
-    for (size_t f = 0; f < field_count(l); f++)
-        for (size_t i = n; i < ND_TILE && i % ND_MOST_GROUP; i++)
-            t->value[f][i] = t->value[f][n - 1];
-}
-
-void nd_lanes_fill(const ndl_material *m, size_t at, size_t lanes, const ndl_lanes *lane,
-                   size_t from, size_t n, nd_lane_tile *t) {
-    enum { MOST = 32 };
-    const nd_lobe *l = &m->lobes[at];
-    lane_use uses[MOST];
-    size_t count = 0, lobe;
-    bool has_widths = false;
-    for (size_t i = 0; i < lanes && count < MOST; i++) {
-        if (!lane_of(m, &lane[i], &lobe, &uses[count]) || lobe != at) continue;
-        if (is_width(&uses[count])) has_widths = true;
-        else fill_plain(l, &uses[count], from, n, t);
-        count++;
-    }
-    if (has_widths && l->model->ndf != ND_NO_FACET) {
-        fill_widths(l, uses, count, from, n, stream_of(l, t, "alpha_x"),
-                    stream_of(l, t, "alpha_y"));
-        fill_direct_roughness(l, uses, count, from, n, t);
-    } else if (has_widths && l->kernel == ND_KERNEL_metal_rough) {
-        fill_widths(l, uses, count, from, n,
-                    t->value[offsetof(metal_rough_p, alpha_x) / sizeof(float)],
-                    t->value[offsetof(metal_rough_p, alpha_y) / sizeof(float)]);
-    } else if (has_widths) {
-        fill_widths(l, uses, count, from, n, stream_of(l, t, "alpha_x"),
-                    stream_of(l, t, "alpha_y"));
-    }
-    if (n % ND_MOST_GROUP) repeat_last(l, t, n);
+void nd_lanes_fill(const nd_lane_plan *plan, size_t from, size_t n, nd_lane_tile *t) {
+    for (size_t i = 0; i < plan->plain_count; i++) fill_plain(&plan->plain[i], from, n, t);
+    if (plan->x >= 0) fill_widths(plan, from, n, t->value[plan->x], t->value[plan->y]);
+    if (plan->direct >= 0) fill_direct_roughness(plan, from, n, t);
+    for (size_t f = 0; n < whole(n) && f < plan->field_count; f++)
+        for (size_t i = n; i < whole(n); i++) t->value[f][i] = t->value[f][n - 1];
 }
