@@ -37,7 +37,7 @@ def models(s):
     rows, ratios, names = [], {isa: [] for isa in isas}, {}
     for material in single + composed:
         got = Contest(
-            {isa: s.library("brdf", isa, n, material, slice_) for isa in ["scalar", *isas]},
+            {isa: s.ours("brdf", isa, n, material, slice_) for isa in ["scalar", *isas]},
             max(3, s.rounds // 2),
         )
         for isa in isas:
@@ -85,7 +85,7 @@ def costs(s):
     for n in (1024, 4096, 16384, 1000000):
         got = Contest(
             {
-                "uniform": s.library("brdf", best, n, flag),
+                "uniform": s.ours("brdf", best, n, flag),
                 "lanes": lambda: 1e-6 * s.rates.rate(lanes.format(best, n, s.seconds)),
             },
             s.rounds,
@@ -102,7 +102,7 @@ def costs(s):
             )
     lobes = ["lambert(color=0.8)", flag]
     got = Contest(
-        {m: s.library("brdf", best, 4096, m) for m in [*lobes, f"0.3*{lobes[0]} + 0.7*{flag}"]},
+        {m: s.ours("brdf", best, 4096, m) for m in [*lobes, f"0.3*{lobes[0]} + 0.7*{flag}"]},
         s.rounds,
     )
     alone = sum(1 / got[m] for m in lobes)

@@ -47,7 +47,7 @@ def flagship(s):
     results = {}
     for n in SIZES:
         entrants = {
-            f"ndotl {isa}": s.library("brdf", isa, n, material) for isa in ["scalar", *s.isas()]
+            f"ndotl {isa}": s.ours("brdf", isa, n, material) for isa in ["scalar", *s.isas()]
         }
         entrants |= {name: s.own(name, n) for name in rivals}
         results[n] = Contest(entrants, s.rounds)
@@ -102,7 +102,7 @@ def peers(s):
         for n, least in zip((16384, 1000000), needed[name]):
             got = Contest(
                 {
-                    "ndotl": s.library("cos", best, n, agree["material"]),
+                    "ndotl": s.ours("cos", best, n, agree["material"]),
                     "Mitsuba": lambda: 1e-6
                     * s.mitsuba.call(f"time {name} {n} {2 * s.seconds}")["rate"],
                 },

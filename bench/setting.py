@@ -29,7 +29,7 @@ class Setting:
             isa for isa in ISAS if not math.isnan(self.rates.rate(f"brdf {isa} 64 0.001 lambert"))
         ]
 
-    def library(self, op, isa, n, material, seconds=None):
+    def ours(self, op, isa, n, material, seconds=None):
         return lambda: 1e-6 * self.rates.rate(
             f"{op} {isa} {n} {seconds or self.seconds} {material}"
         )

@@ -1,79 +1,48 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "draws.h"
 
-#include "base/stream.h"
+#include "feed.h"
 #include "ndotl/convert.h"
 #include "render/sampler.h"
 #include "report.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { BUFFER = 1 << 20, NUMBERS = 6, RAW_BYTES = 4 * NUMBERS }; /* the longest line, too */
+enum { NUMBERS = 6 };
 
 struct cli_draw_source {
-    const char *verb, *name;
-    int stream;
-    bool raw, at_end;
+    cli_feed feed;
     int failed;              /* exit code of a malformed row, already reported */
     uint64_t start;          /* of the random numbers */
-    unsigned long long line; /* lines, or raw rows, taken so far */
     unsigned long long rows; /* rows taken so far: lines with numbers */
     unsigned long long off;  /* rows whose wo was no unit vector */
-    size_t at, end;          /* the unread part of the buffer */
-    char buffer[BUFFER];
 };
-
-/* "FILE:LINE" of the row that is being taken. */
-typedef struct {
-    char s[4200];
-} row_place;
-
-static row_place place(const cli_draw_source *s) {
-    row_place p;
-    snprintf(p.s, sizeof p.s, "%s:%s%llu", s->name, s->raw ? " row " : "", s->line);
-    return p;
-}
 
 int cli_draws_open(const char *verb, const char *path, bool raw, uint64_t seed,
                    cli_draw_source **source) {
-    bool standard = !path || strcmp(path, "-") == 0;
     cli_draw_source *s = calloc(1, sizeof *s);
     if (!s) return cli_error(verb, CLI_FAILED, NULL, "out of memory");
-    s->verb = verb;
-    s->name = standard ? "stdin" : path;
-    s->raw = raw;
     s->start = nd_mix(seed + 0x9e3779b97f4a7c15u);
-    s->stream = standard ? ND_STDIN : nd_stream_open(path);
-    if (s->stream < 0) {
-        free(s);
-        return cli_error(verb, CLI_FAILED, path, "cannot be opened: %s", strerror(errno));
-    }
-    *source = s;
-    return CLI_OK;
+    s->feed.raw = raw;
+    int code = cli_feed_open(&s->feed, verb, path);
+    if (!code) code = cli_feed_fill(&s->feed);
+    if (!code && !raw) cli_feed_skip_mark(&s->feed);
+    if (code)
+        cli_draws_close(s);
+    else
+        *source = s;
+    return code;
 }
 
 void cli_draws_close(cli_draw_source *s) {
     if (s->off > 1)
-        cli_warning(s->verb, s->name, "%llu rows in all had a wo that is no unit vector", s->off);
-    if (s->stream > ND_STDIN) nd_stream_close(s->stream);
+        cli_warning(s->feed.verb, s->feed.name, "%llu rows in all had a wo that is no unit vector",
+                    s->off);
+    cli_feed_close(&s->feed);
     free(s);
-}
-
-/* Reads more behind the unread part. 0, or 1 after a message. */
-static int fill(cli_draw_source *s) {
-    memmove(s->buffer, s->buffer + s->at, s->end - s->at);
-    s->end -= s->at;
-    s->at = 0;
-    ptrdiff_t got = nd_stream_read(s->stream, s->buffer + s->end, BUFFER - s->end);
-    if (got < 0)
-        return cli_error(s->verb, CLI_FAILED, s->name, "cannot be read: %s", strerror(errno));
-    s->at_end = got == 0;
-    s->end += (size_t)got;
-    return CLI_OK;
 }
 
 /* Number k of this row: SplitMix64, entered at its place. Source: [Steele14]. */
@@ -88,18 +57,19 @@ static int add(cli_draw_source *s, cli_draws *to, const double *v, bool with_u) 
     ndl_vec3 wo;
     double length = ndl_direction(v[0], v[1], v[2], &wo);
     if (!isfinite(length) || length == 0.0)
-        return cli_error(s->verb, CLI_FAILED, place(s).s, "wo is %s; give a direction",
-                         length == 0.0 ? "zero" : "not finite");
+        return cli_error(s->feed.verb, CLI_FAILED, cli_feed_place(&s->feed).s,
+                         "wo is %s; give a direction", length == 0.0 ? "zero" : "not finite");
     for (unsigned k = 0; k < 3; k++) {
         double u = with_u ? v[3 + k] : (double)random_number(s, k);
         if (!(u >= 0.0 && u < 1.0))
-            return cli_error(s->verb, CLI_FAILED, place(s).s,
+            return cli_error(s->feed.verb, CLI_FAILED, cli_feed_place(&s->feed).s,
                              "u%u is %.9g; give a number in [0, 1)", k, u);
         /* The float nearest to a number just below 1 would be 1. */
         to->u[k][to->n] = fminf((float)u, 0x1.fffffep-1f);
     }
     if (fabs(length - 1.0) > 1e-3 && s->off++ == 0)
-        cli_warning(s->verb, place(s).s, "a direction of length %.9g was normalised", length);
+        cli_warning(s->feed.verb, cli_feed_place(&s->feed).s,
+                    "a direction of length %.9g was normalised", length);
     to->wo[0][to->n] = wo.x;
     to->wo[1][to->n] = wo.y;
     to->wo[2][to->n++] = wo.z;
@@ -116,69 +86,25 @@ static int take_line(cli_draw_source *s, cli_draws *to, const char *line, const 
     if (found == 0) return CLI_OK;
     if (found == 3 || found == NUMBERS) return add(s, to, v, found == NUMBERS);
     if (found > 0)
-        return cli_error(s->verb, CLI_FAILED, place(s).s,
+        return cli_error(s->feed.verb, CLI_FAILED, cli_feed_place(&s->feed).s,
                          "expected 6 numbers, wo and u, or 3, wo alone; found %d", found);
     char token[64];
     snprintf(token, sizeof token, "%.*s", n < 60 ? (int)n : 60, at);
-    return cli_error(s->verb, CLI_FAILED, place(s).s, "'%s' %s; expected 6 numbers or 3",
-                     n && !*at ? "\\x00" : cli_quote(token).s, what);
+    return cli_error(s->feed.verb, CLI_FAILED, cli_feed_place(&s->feed).s,
+                     "'%s' %s; expected 6 numbers or 3", n && !*at ? "\\x00" : cli_quote(token).s,
+                     what);
 }
 
-/* A line that does not fit into the buffer. */
-static int too_long(cli_draw_source *s) {
-    s->line++;
-    return cli_error(s->verb, CLI_FAILED, place(s).s, "the line is longer than %d bytes", BUFFER);
-}
-
-/* Lines until the batch is full or no whole line is left in the buffer. */
-static int next_lines(cli_draw_source *s, cli_draws *to) {
+/* Rows until the batch is full or no whole row is left in the buffer. */
+static int next_rows(cli_draw_source *s, cli_draws *to) {
     while (to->n < CLI_BATCH) {
-        const char *line = s->buffer + s->at;
-        const char *end = memchr(line, '\n', s->end - s->at);
-        if (end || (s->at_end && s->at < s->end)) {
-            s->line++;
-            int code = take_line(s, to, line, end ? end : s->buffer + s->end);
-            if (code) return code;
-            s->at = end ? (size_t)(end - s->buffer) + 1 : s->end;
-        } else {
-            if (s->at_end || to->n) return CLI_OK;
-            int code = s->end - s->at == BUFFER ? too_long(s) : fill(s);
-            if (code) return code;
-        }
-    }
-    return CLI_OK;
-}
-
-static double little_endian_float(const char *s) {
-    const unsigned char *b = (const unsigned char *)s;
-    uint32_t bits = b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return (double)x;
-}
-
-static int next_raw(cli_draw_source *s, cli_draws *to) {
-    while (to->n < CLI_BATCH) {
-        size_t left = s->end - s->at;
-        if (left < RAW_BYTES && s->at_end) {
-            s->at = s->end;
-            s->line++;
-            if (!left) return CLI_OK;
-            return cli_error(s->verb, CLI_FAILED, place(s).s, "cut off: %d of %d bytes are there",
-                             (int)left, RAW_BYTES);
-        }
-        if (left < RAW_BYTES) {
-            if (to->n) return CLI_OK;
-            int code = fill(s);
-            if (code) return code;
-            continue;
-        }
+        const char *line = NULL, *end = NULL;
         double v[NUMBERS];
-        for (int k = 0; k < NUMBERS; k++)
-            v[k] = little_endian_float(s->buffer + s->at + 4 * k);
-        s->at += RAW_BYTES;
-        s->line++;
-        int code = add(s, to, v, true);
+        bool wait = to->n == 0;
+        cli_fed fed = s->feed.raw ? cli_feed_numbers(&s->feed, wait, NUMBERS, v)
+                                  : cli_feed_line(&s->feed, wait, &line, &end);
+        if (fed != CLI_FEED_ROW) return fed == CLI_FEED_FAILED ? CLI_FAILED : CLI_OK;
+        int code = s->feed.raw ? add(s, to, v, true) : take_line(s, to, line, end);
         if (code) return code;
     }
     return CLI_OK;
@@ -187,7 +113,7 @@ static int next_raw(cli_draw_source *s, cli_draws *to) {
 int cli_draws_next(cli_draw_source *s, cli_draws *to) {
     to->n = 0;
     if (s->failed) return s->failed;
-    int code = s->raw ? next_raw(s, to) : next_lines(s, to);
+    int code = next_rows(s, to);
     if (!code || !to->n) return code;
     s->failed = code; /* what came before it is still drawn */
     return CLI_OK;

@@ -246,7 +246,8 @@ typedef struct {
     const char *initial_word;
 } ndl_param;
 
-/* One section of a manual: heading in lower case ("what", "when", "limits", ...) and prose. */
+/* One section of a manual: heading ("WHAT", "FORMULA", "LIMITS", ..., or a choice of the model,
+   "masking=smith") and prose. */
 typedef struct { const char *heading, *text; } ndl_manual;
 
 /* Laws that a model claims to obey, besides being finite, non-negative and gated. */
@@ -256,14 +257,18 @@ enum {
     NDL_CLAIM_CONTINUITY = 4   /* brdf_cos has no jump */
 };
 
+/* The registered models, i < ndl_model_count(); beyond it NULL. Everything that these functions
+   return is constant and lives as long as the library. */
 NDL_API size_t ndl_model_count(void);
 NDL_API const char *ndl_model_name(size_t i);
 /* Index of a model, or -1. */
 NDL_API int ndl_model_find(const char *name);
 /* Keys of model i: *count of them, in printing order. */
 NDL_API const ndl_param *ndl_model_params(size_t i, size_t *count);
+/* Sections of model i's manual, *count of them, in reading order. */
 NDL_API const ndl_manual *ndl_model_manual(size_t i, size_t *count);
-/* The laws that a material claims: those that all of its lobes claim (NDL_CLAIM_...). */
+/* The laws that a material claims, NDL_CLAIM_...: those that all of its lobes claim, energy only
+   where the weights add up to 1 at most in every channel. */
 NDL_API unsigned ndl_material_claims(const ndl_material *m);
 
 /* A named substance. Metals give eta and k, dielectrics ior (eta[0..2] equal, k 0). */
@@ -272,6 +277,7 @@ typedef struct {
     int is_metal;
     float eta[3], k[3];
 } ndl_preset;
+/* The named substances, i < ndl_preset_count(); beyond it NULL. */
 NDL_API size_t ndl_preset_count(void);
 NDL_API const ndl_preset *ndl_preset_at(size_t i);
 

@@ -119,6 +119,10 @@ def test_files_commas_and_comments_are_read():
     assert ok("sample", "ggx", stdin="").text == ""
 
 
+def test_a_byte_order_mark_is_no_part_of_the_first_line():
+    assert ok("sample", "ggx", stdin="\ufeff" + ROW).text == ok("sample", "ggx", stdin=ROW).text
+
+
 def test_every_instruction_set_prints_the_same():
     stdin = "\n".join(viewers(100))
     for material in MATERIALS:
